@@ -1,0 +1,45 @@
+// Surface gradients from a tangent frame ("TBN style": the strength does not depend on tiling or object size).
+// Source: Mikkelsen 2020, sections 3.2 and 3.3.
+#ifndef SG_TBN
+#define SG_TBN
+
+#include "surfgrad/frame.glsl"
+#include "surfgrad/uv.glsl"
+
+struct SgBasis {
+    vec3 tangent;    // towards +s
+    vec3 bitangent;  // towards +t
+};
+
+// T and B from vertex attributes, mikkTSpace-compliant: raw interpolated vectors, all scaled by 1/|N|, so that the
+// resolve equals normalize(m.x T + m.y B + m.z N).
+//   vertex_normal: interpolated, not normalised; vertex_tangent: interpolated xyz, w > 0 means B = +cross(N, T).
+// Result: T and B need not be unit nor perpendicular to n. Zero normal gives T = B = 0. Source: Listing 9.
+SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
+    float square = dot(vertex_normal, vertex_normal);
+    float scale = square > 1e-30 ? inversesqrt(square) : 0.0;
+    float sign_w = vertex_tangent.w < 0.0 ? -1.0 : 1.0;
+    vec3 tangent = scale * vertex_tangent.xyz;
+    return SgBasis(tangent, sign_w * scale * cross(vertex_normal, vertex_tangent.xyz));
+}
+
+// T and B from the screen derivatives of any texture coordinate.
+//   frame: of the surface; uv: st with derivatives.
+// Result: orthonormal, perpendicular to frame.normal, T towards +s and B towards +t whatever the mirroring; T = B = 0
+// (no bump) where the coordinates are degenerate: |det| <= 1e-6 |dx||dy|, or a surface seen exactly edge-on.
+// Cost: about 30 instructions. Source: Listing 4.
+SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
+    float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
+    float sign_det = det < 0.0 ? -1.0 : 1.0;
+    // The inverse Jacobian's first column (dx/ds, dy/ds), times |det|.
+    vec3 along_s = sign_det * (uv.dy.y * frame.sigma_x - uv.dx.y * frame.sigma_y);
+    float square = dot(along_s, along_s);
+    bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)) && square > 1e-36;
+    vec3 tangent = usable ? along_s * inversesqrt(square) : vec3(0.0);
+    return SgBasis(tangent, sign_det * frame.flip_sign * cross(frame.normal, tangent));
+}
+
+// The surface gradient of a derivative in a tangent frame. Linear in d. Source: Eq 17, Listing 3.
+vec3 sg_surfgrad_from_tbn(vec2 d, SgBasis basis) { return d.x * basis.tangent + d.y * basis.bitangent; }
+
+#endif
