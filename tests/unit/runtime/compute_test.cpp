@@ -1,0 +1,78 @@
+#include "runtime/compute.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "runtime/gpu/device.hpp"
+
+namespace sg::runtime {
+namespace {
+
+std::vector<std::uint32_t> words_of(const std::string& name) {
+    std::ifstream file(std::string(SG_SHADER_DIR "/") + name + ".spv", std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), words.size() * 4);
+    return words;
+}
+
+// Runs sums.comp over `count` pairs and compares bit for bit with the processor.
+void expect_sums(gpu::Device& device, std::size_t count) {
+    Diags diags;
+    auto compute = Compute::create(device, words_of("sums.comp"), diags);
+    ASSERT_TRUE(compute) << render(diags);
+    std::vector<float> inputs(2 * count), outputs(3 * count, -1.0f);
+    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = static_cast<float>(i % 1013) * 0.37f - 100.0f;
+    ASSERT_TRUE(compute->run(inputs, 2, outputs, 3, count, diags)) << render(diags);
+    for (std::size_t i = 0; i < count; ++i) {
+        float a = inputs[2 * i], b = inputs[2 * i + 1];
+        ASSERT_EQ(outputs[3 * i], a + b) << i;
+        ASSERT_EQ(outputs[3 * i + 1], a - b) << i;
+        ASSERT_EQ(outputs[3 * i + 2], a * b) << i;
+    }
+}
+
+TEST(Compute, EvaluatesEveryElementOnce) {
+    Diags diags;
+    auto device = gpu::Device::create({}, diags);
+    ASSERT_TRUE(device) << render(diags);
+    for (std::size_t count : {0u, 1u, 63u, 64u, 65u, 100000u}) expect_sums(*device, count);
+}
+
+TEST(Compute, SplitsWhatIsTooLargeForOneDispatch) {
+    Diags diags;
+    auto device = gpu::Device::create({}, diags);
+    ASSERT_TRUE(device) << render(diags);
+    expect_sums(*device, std::size_t{device->limits().maxComputeWorkGroupCount[0]} * 64 + 77);
+}
+
+TEST(Compute, IsCleanUnderTheValidationLayers) {
+    Diags diags;
+    auto device = gpu::Device::create({.name = "", .validate = true}, diags);
+    ASSERT_TRUE(device) << render(diags);
+    auto log = device->log();
+    expect_sums(*device, 200);
+    { gpu::Device gone = std::move(*device); }
+    EXPECT_TRUE(log->report(diags)) << render(diags);
+}
+
+TEST(Device, OneThatDoesNotExistIsRefusedWithTheReasons) {
+    Diags diags;
+    auto all = gpu::list_devices(diags);
+    ASSERT_TRUE(all && !all->empty());
+    EXPECT_FALSE(gpu::Device::create({.name = "no such\ndevice"}, diags));
+    ASSERT_EQ(diags.error_count(), 1u);
+    std::string text = render(diags);
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              "error: no usable device has 'no such\\x0adevice' in its name [SG2202]");
+    EXPECT_NE(text.find("note: '" + all->front().name + "' was refused: "), std::string::npos) << text;
+    EXPECT_EQ(diags.exit_code(), 4);
+}
+
+}  // namespace
+}  // namespace sg::runtime
