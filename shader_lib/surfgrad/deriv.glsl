@@ -7,7 +7,8 @@ const float SG_MAX_SLOPE = 128.0;  // 89.55 degrees; every derivative stays with
 
 // A stored texel to a signed value.
 //   texel: 0..1 as sampled; zero: the 8-bit code that means 0 (127.5, 128 or 127).
-// Result: -1..1, clamped. 127.5: v/127.5 - 1; 128: (v - 128)/127; 127: (v - 127)/127.
+// Result: -1..1, clamped. 127.5: v/127.5 - 1; 128: (v - 128)/127; 127: (v - 127)/127. Cost: 2 to 3 instructions a
+// component.
 vec2 sg_decode_signed(vec2 texel, float zero) {
     return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
 }
@@ -26,15 +27,36 @@ vec2 sg_deriv_from_normal_xyz(vec3 m) {
 
 // The derivative of a tangent-space normal of which x and y are stored (BC5), green down.
 //   m: in -1..1 after the remap; over-long vectors are taken as steepest.
-// Result: each component within SG_MAX_SLOPE. Source: Eq 16, with the guard at 1/128^2.
+// Result: each component within SG_MAX_SLOPE. Cost: about 6 instructions. Source: Eq 16, with the guard at 1/128^2.
 vec2 sg_deriv_from_normal_xy(vec2 m) {
     return -m * inversesqrt(max(1.0 - dot(m, m), 1.0 / (SG_MAX_SLOPE * SG_MAX_SLOPE)));
 }
 
 // From green up to green down: the only place where the vertical direction is turned.
+//   d: a derivative. Result: d with its second component negated. Cost: at most 1 instruction.
 vec2 sg_deriv_green_up(vec2 d) { return vec2(d.x, -d.y); }
 
-// The unit tangent-space normal of a derivative, green down: the inverse of sg_deriv_from_normal_xyz. Source: Eq 12.
+// The tangent-space normal of a derivative, green down: the inverse of sg_deriv_from_normal_xyz.
+//   d: each component within SG_MAX_SLOPE. Result: unit, z > 0. Cost: about 6 instructions. Source: Eq 12.
 vec3 sg_normal_from_deriv(vec2 d) { return normalize(vec3(-d, 1.0)); }
+
+// A derivative that any later step can bear, as before it is stored in 16 bits.
+//   d: anything. Result: each component within SG_MAX_SLOPE; what is not a number counts as flat.
+// Cost: about 6 instructions.
+vec2 sg_deriv_clamped(vec2 d) {
+    // The comparison is false for not-a-number, and only then (0 takes the other branch).
+    bvec2 number = greaterThanEqual(abs(d), vec2(0.0));
+    return vec2(number.x ? clamp(d.x, -SG_MAX_SLOPE, SG_MAX_SLOPE) : 0.0,
+                number.y ? clamp(d.y, -SG_MAX_SLOPE, SG_MAX_SLOPE) : 0.0);
+}
+
+// The derivative that a derivative map holds.
+//   value: the decoded texel, -1..1; range: the slope that 1 stands for, above 0.
+// Result: each component within SG_MAX_SLOPE. Cost: about 8 instructions. Source: section 3.1 (a map of Eq 15).
+vec2 sg_deriv_from_map(vec2 value, float range) { return sg_deriv_clamped(value * range); }
+
+// What a derivative map holds for a derivative: the inverse of sg_deriv_from_map within its range.
+//   d: a derivative; range: the slope that 1 stands for, above 0. Result: -1..1. Cost: about 4 instructions.
+vec2 sg_map_from_deriv(vec2 d, float range) { return clamp(d / range, -1.0, 1.0); }
 
 #endif
