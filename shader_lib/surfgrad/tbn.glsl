@@ -39,6 +39,12 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
     return SgBasis(tangent, sign_det * frame.flip_sign * cross(frame.normal, tangent));
 }
 
+// The basis of a coordinate that is scaled by `scale`: positive factors change nothing, negative ones turn a vector.
+SgBasis sg_basis_mirror(SgBasis basis, vec2 scale) {
+    return SgBasis(scale.x < 0.0 ? -basis.tangent : basis.tangent,
+                   scale.y < 0.0 ? -basis.bitangent : basis.bitangent);
+}
+
 // The surface gradient of a derivative in a tangent frame. Linear in d. Source: Eq 17, Listing 3.
 vec3 sg_surfgrad_from_tbn(vec2 d, SgBasis basis) { return d.x * basis.tangent + d.y * basis.bitangent; }
 

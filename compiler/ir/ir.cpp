@@ -1,0 +1,116 @@
+#include "ir/ir.hpp"
+
+#include "base/ice.hpp"
+
+namespace sg::ir {
+namespace {
+
+const std::vector<TypeInfo>& types() {
+    static const std::vector<TypeInfo> table = {
+#define SG_TYPE(identifier, glsl, meaning) {#identifier, glsl, meaning},
+#include "ir/types.def"
+#undef SG_TYPE
+        {"Any", "", ""},
+    };
+    return table;
+}
+
+const std::vector<OpInfo>& ops() {
+    using enum Type;
+    static const std::vector<OpInfo> table = {
+#define SG_OP(identifier, result, operands, attribute, glsl, include, meaning) \
+    {Op::identifier, #identifier, result, operands, Attribute::attribute, glsl, include, meaning},
+#include "ir/ops.def"
+#undef SG_OP
+    };
+    return table;
+}
+
+struct OutputRow {
+    Output output;
+    std::string_view name;
+    Type type;
+};
+constexpr OutputRow kOutputs[] = {
+    {Output::normal, "normal", Type::Normal},
+    {Output::base_color, "base_color", Type::Color},
+    {Output::metallic, "metallic", Type::Scalar},
+    {Output::roughness, "roughness", Type::Scalar},
+    {Output::frame, "frame", Type::Frame},
+    {Output::gradient, "gradient", Type::SurfGrad},
+    {Output::basis_vertex, "basis_vertex", Type::Basis},
+    {Output::uv, "uv", Type::Uv},
+};
+constexpr Output kOutputOrder[] = {Output::normal,    Output::base_color, Output::metallic,     Output::roughness,
+                                   Output::frame,     Output::gradient,   Output::basis_vertex, Output::uv};
+
+}  // namespace
+
+const TypeInfo& info(Type type) { return types()[static_cast<std::size_t>(type)]; }
+std::span<const TypeInfo> all_types() { return std::span(types()).first(types().size() - 1); }
+const OpInfo& info(Op op) { return ops()[static_cast<std::size_t>(op)]; }
+std::span<const OpInfo> all_ops() { return ops(); }
+
+std::string_view output_name(Output output) { return kOutputs[static_cast<std::size_t>(output)].name; }
+Type output_type(Output output) { return kOutputs[static_cast<std::size_t>(output)].type; }
+std::span<const Output> all_outputs() { return kOutputOrder; }
+
+ValueId Module::output(Output which) const {
+    for (const OutputBinding& binding : outputs) {
+        if (binding.output == which) return binding.value;
+    }
+    return {};
+}
+
+std::size_t component_count(Type type) {
+    switch (type) {
+        case Type::Scalar:
+            return 1;
+        case Type::Vec2:
+            return 2;
+        case Type::Vec3:
+        case Type::Color:
+            return 3;
+        case Type::Vec4:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+ValueId Builder::push(Value value) {
+    value.layer = layer_;
+    module_.values.push_back(std::move(value));
+    return {static_cast<std::uint32_t>(module_.values.size() - 1)};
+}
+
+ValueId Builder::add(Op op, std::vector<ValueId> operands, std::string name) {
+    return push({.op = op, .type = info(op).result, .operands = std::move(operands), .name = std::move(name)});
+}
+
+ValueId Builder::add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands, std::string name) {
+    return push({.op = op,
+                 .type = info(op).result,
+                 .operands = std::move(operands),
+                 .index = index,
+                 .name = std::move(name)});
+}
+
+ValueId Builder::add_zero(Op op, double zero, ValueId operand, std::string name) {
+    return push({.op = op, .type = info(op).result, .operands = {operand}, .number = {zero}, .name = std::move(name)});
+}
+
+ValueId Builder::constant(Type type, std::array<double, 4> number) {
+    SG_ASSERT(component_count(type) > 0);
+    return push({.op = Op::constant, .type = type, .number = number});
+}
+
+ValueId Builder::parameter(ParameterId parameter) {
+    return push({.op = Op::parameter, .type = module_.parameters[parameter.index].type, .index = parameter.index});
+}
+
+void Builder::output(Output which, ValueId value, std::uint32_t set) {
+    module_.outputs.push_back({which, set, value});
+}
+
+}  // namespace sg::ir

@@ -1,0 +1,152 @@
+// The intermediate representation of a material.
+//
+// A Module is a list of values in evaluation order. Each value is the result of one operation (ops.def) on earlier
+// values and has one type (types.def). There is no control flow, nothing is written to, and evaluating a value has
+// no effect, so equal values may be merged and unused ones dropped. Screen derivatives are taken inside uv_set and
+// frame alone, which therefore stand for values in uniform control flow.
+//
+// What a type means is what may be done with it:
+//   * a Deriv belongs to the basis that it will be projected with; derivatives add only before that projection;
+//   * a SurfGrad is perpendicular to the normal of its frame; those of one frame add in any order;
+//   * a VolGrad is not perpendicular to anything: it is projected before it is added to a SurfGrad or resolved.
+// `verify` refuses every other mix.
+//
+// Outputs name the values that leave the module; the entry points take what they need of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/id.hpp"
+
+namespace sg::ir {
+
+enum class Type : std::uint8_t {
+#define SG_TYPE(identifier, glsl, meaning) identifier,
+#include "ir/types.def"
+#undef SG_TYPE
+    Any,  // in rows of ops.def only
+};
+
+enum class Op : std::uint8_t {
+#define SG_OP(identifier, result, operands, attribute, glsl, include, meaning) identifier,
+#include "ir/ops.def"
+#undef SG_OP
+};
+
+enum class Attribute : std::uint8_t { None, Set, Texture, Parameter, Zero, Number };
+
+struct TypeInfo {
+    std::string_view name;
+    std::string_view glsl;
+    std::string_view meaning;
+};
+const TypeInfo& info(Type type);
+std::span<const TypeInfo> all_types();
+
+struct OpInfo {
+    Op op;
+    std::string_view name;
+    Type result;
+    std::vector<Type> operands;
+    Attribute attribute;
+    std::string_view glsl;
+    std::string_view include;
+    std::string_view meaning;
+};
+const OpInfo& info(Op op);
+std::span<const OpInfo> all_ops();
+
+struct Value;
+using ValueId = Id<Value>;
+
+enum class TextureEncoding : std::uint8_t { tangent_normal, tangent_normal_xy };
+
+// A texture as the shader sees it. The file and the sampler's settings stay with the material.
+struct Texture {
+    std::string name;
+    TextureEncoding encoding = TextureEncoding::tangent_normal;
+};
+using TextureId = Id<Texture>;
+
+struct Parameter {
+    std::string name;
+    Type type = Type::Scalar;  // Scalar, Vec2, Vec3, Vec4 or Color
+};
+using ParameterId = Id<Parameter>;
+
+// The layer that a value was lowered from: its id and kind as written, for names and comments in generated text.
+struct Layer {
+    std::string id;
+    std::string kind;
+};
+using LayerId = Id<Layer>;
+
+struct Value {
+    Op op{};
+    Type type{};
+    std::vector<ValueId> operands;
+    std::uint32_t index = 0;           // Set, Texture, Parameter: which
+    std::array<double, 4> number{};    // Zero: [0]; Number: as many as the type has
+    std::string name;                  // a hint for generated text, may be empty, need not be unique
+    LayerId layer;                     // invalid: belongs to no layer
+};
+
+// What may leave a module, with the type it must have.
+enum class Output : std::uint8_t { normal, base_color, metallic, roughness, frame, gradient, basis_vertex, uv };
+
+struct OutputBinding {
+    Output output{};
+    std::uint32_t set = 0;  // of Output::uv: which uv set
+    ValueId value;
+    bool operator==(const OutputBinding&) const = default;
+};
+std::string_view output_name(Output output);
+Type output_type(Output output);
+std::span<const Output> all_outputs();
+
+struct Module {
+    std::string name;
+    std::vector<Texture> textures;
+    std::vector<Parameter> parameters;
+    std::vector<Layer> layers;
+    std::vector<Value> values;
+    std::vector<OutputBinding> outputs;
+
+    [[nodiscard]] const Value& at(ValueId id) const { return values[id.index]; }
+    [[nodiscard]] ValueId output(Output which) const;  // invalid if absent
+};
+
+// How many of Value::number a constant of this type uses; 0 for types that no constant has.
+std::size_t component_count(Type type);
+
+// Appends values; every function returns the id of the new one.
+class Builder {
+public:
+    explicit Builder(Module& module) : module_(module) {}
+    ValueId add(Op op, std::vector<ValueId> operands = {}, std::string name = "");
+    ValueId add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands = {}, std::string name = "");
+    ValueId add_zero(Op op, double zero, ValueId operand, std::string name = "");
+    ValueId constant(Type type, std::array<double, 4> number);
+    ValueId parameter(ParameterId parameter);
+    void set_layer(LayerId layer) { layer_ = layer; }
+    void output(Output which, ValueId value, std::uint32_t set = 0);
+    Module& module() { return module_; }
+
+private:
+    ValueId push(Value value);
+    Module& module_;
+    LayerId layer_;
+};
+
+// "" or what is wrong with the module, one line per fault, each naming the value.
+std::string verify(const Module& module);
+
+// The text form; parse(print(m)) prints the same. Grammar in ir/text.hpp.
+std::string print(const Module& module);
+
+}  // namespace sg::ir

@@ -1,0 +1,224 @@
+#include <fmt/core.h>
+
+#include <cctype>
+#include <charconv>
+
+#include "ir/text.hpp"
+
+namespace sg::ir {
+namespace {
+
+struct LineReader {
+    std::string_view rest;
+    std::string fault;
+
+    void fail(std::string what) {
+        if (fault.empty()) fault = std::move(what);
+    }
+
+    void skip_blanks() {
+        while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() == '#') rest = {};
+    }
+
+    bool at_end() {
+        skip_blanks();
+        return rest.empty();
+    }
+
+    bool accept(char c) {
+        skip_blanks();
+        if (rest.empty() || rest.front() != c) return false;
+        rest.remove_prefix(1);
+        return true;
+    }
+
+    void expect(char c) {
+        if (!accept(c)) fail(fmt::format("expected '{}' before '{}'", c, rest));
+    }
+
+    std::string_view word() {
+        skip_blanks();
+        std::size_t n = 0;
+        while (n < rest.size() && (std::isalnum(static_cast<unsigned char>(rest[n])) || rest[n] == '_')) ++n;
+        std::string_view out = rest.substr(0, n);
+        rest.remove_prefix(n);
+        if (out.empty()) fail(fmt::format("expected a word before '{}'", rest));
+        return out;
+    }
+
+    template <class T>
+    T number() {
+        skip_blanks();
+        T out{};
+        auto [end, ec] = std::from_chars(rest.data(), rest.data() + rest.size(), out);
+        if (ec != std::errc{}) {
+            fail(fmt::format("expected a number before '{}'", rest));
+            return out;
+        }
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        return out;
+    }
+
+    ValueId value_id() {
+        expect('%');
+        return {number<std::uint32_t>()};
+    }
+
+    std::string quoted(char quote) {
+        expect(quote);
+        std::string out;
+        while (!rest.empty() && rest.front() != quote) {
+            if (rest.front() == '\\' && rest.size() >= 4 && rest[1] == 'x') {
+                int code = 0;
+                std::from_chars(rest.data() + 2, rest.data() + 4, code, 16);
+                out += static_cast<char>(code);
+                rest.remove_prefix(4);
+                continue;
+            }
+            if (rest.front() == '\\' && rest.size() >= 2) rest.remove_prefix(1);
+            out += rest.front();
+            rest.remove_prefix(1);
+        }
+        expect(quote);
+        return out;
+    }
+};
+
+template <class Table, class Name>
+std::optional<std::size_t> index_of(const Table& table, std::string_view word, Name name) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (name(table[i]) == word) return i;
+    }
+    return std::nullopt;
+}
+
+class Parser {
+public:
+    bool line(std::string_view text, std::string& fault) {
+        LineReader in{text, ""};
+        if (!in.at_end()) {
+            if (in.rest.front() == '%') {
+                value(in);
+            } else {
+                statement(in);
+            }
+            if (!in.at_end()) in.fail(fmt::format("unexpected '{}'", in.rest));
+        }
+        fault = in.fault;
+        return fault.empty();
+    }
+    Module module;
+
+private:
+    Type type(LineReader& in) {
+        std::string_view word = in.word();
+        auto i = index_of(all_types(), word, [](const TypeInfo& t) { return t.name; });
+        if (!i) in.fail(fmt::format("unknown type '{}'", word));
+        return i ? static_cast<Type>(*i) : Type::Any;
+    }
+
+    void statement(LineReader& in) {
+        std::string_view word = in.word();
+        if (word == "module") {
+            module.name = in.quoted('"');
+        } else if (word == "texture") {
+            texture(in);
+        } else if (word == "parameter") {
+            if (in.number<std::size_t>() != module.parameters.size()) in.fail("parameters must be numbered in order");
+            std::string name = in.quoted('"');
+            in.expect(':');
+            module.parameters.push_back({std::move(name), type(in)});
+        } else if (word == "layer") {
+            layer(in);
+        } else if (word == "output") {
+            output(in);
+        } else {
+            in.fail(fmt::format("unknown statement '{}'", word));
+        }
+    }
+
+    void texture(LineReader& in) {
+        if (in.number<std::size_t>() != module.textures.size()) in.fail("textures must be numbered in order");
+        std::string name = in.quoted('"');
+        std::string_view encoding = in.word();
+        if (encoding != "tangent_normal" && encoding != "tangent_normal_xy") {
+            in.fail(fmt::format("unknown encoding '{}'", encoding));
+        }
+        module.textures.push_back({std::move(name), encoding == "tangent_normal" ? TextureEncoding::tangent_normal
+                                                                                 : TextureEncoding::tangent_normal_xy});
+    }
+
+    void layer(LineReader& in) {
+        in.skip_blanks();
+        if (!in.rest.starts_with('"')) {
+            if (in.word() != "none") in.fail("expected a quoted id or 'none'");
+            layer_ = {};
+            return;
+        }
+        Layer found{in.quoted('"'), std::string(in.word())};
+        auto i = index_of(module.layers, found.id, [](const Layer& l) { return std::string_view(l.id); });
+        if (!i) module.layers.push_back(found);
+        layer_ = {static_cast<std::uint32_t>(i.value_or(module.layers.size() - 1))};
+    }
+
+    void output(LineReader& in) {
+        std::string_view word = in.word();
+        auto i = index_of(all_outputs(), word, [](Output o) { return output_name(o); });
+        if (!i) return in.fail(fmt::format("unknown output '{}'", word));
+        OutputBinding binding{.output = all_outputs()[*i]};
+        if (binding.output == Output::uv) binding.set = in.number<std::uint32_t>();
+        in.expect('=');
+        binding.value = in.value_id();
+        module.outputs.push_back(binding);
+    }
+
+    void attribute(LineReader& in, Value& value, Attribute kind) {
+        if (kind == Attribute::Set || kind == Attribute::Texture || kind == Attribute::Parameter) {
+            value.index = in.number<std::uint32_t>();
+        } else if (kind == Attribute::Zero) {
+            value.number[0] = in.number<double>();
+        } else if (kind == Attribute::Number) {
+            for (std::size_t i = 0; !in.at_end() && in.rest.front() != ':'; ++i) {
+                if (i == value.number.size()) return in.fail("a constant has at most 4 numbers");
+                value.number[i] = in.number<double>();
+                if (!in.fault.empty()) return;
+            }
+        }
+    }
+
+    void value(LineReader& in) {
+        if (in.value_id().index != module.values.size()) in.fail("values must be numbered in order");
+        in.expect('=');
+        std::string_view word = in.word();
+        auto op = index_of(all_ops(), word, [](const OpInfo& o) { return o.name; });
+        if (!op) return in.fail(fmt::format("unknown operation '{}'", word));
+        Value value{.op = static_cast<Op>(*op), .layer = layer_};
+        attribute(in, value, info(value.op).attribute);
+        while (in.fault.empty() && !in.at_end() && in.rest.front() == '%') value.operands.push_back(in.value_id());
+        in.expect(':');
+        value.type = type(in);
+        if (!in.at_end() && in.rest.front() == '\'') value.name = in.quoted('\'');
+        module.values.push_back(std::move(value));
+    }
+
+    LayerId layer_;
+};
+
+}  // namespace
+
+std::optional<Module> parse(std::string_view text, std::string& fault) {
+    Parser parser;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::size_t end = std::min(text.find('\n'), text.size());
+        std::string why;
+        if (!parser.line(text.substr(0, end), why)) {
+            fault = fmt::format("line {}: {}", number, why);
+            return std::nullopt;
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return std::move(parser.module);
+}
+
+}  // namespace sg::ir

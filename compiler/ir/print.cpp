@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "ir/ir.hpp"
+
+namespace sg::ir {
+namespace {
+
+std::string quoted(std::string_view text, char quote) {
+    std::string out(1, quote);
+    for (char c : text) {
+        if (c == quote || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (static_cast<unsigned char>(c) < 0x20u) {
+            out += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
+        } else {
+            out += c;
+        }
+    }
+    return out + quote;
+}
+
+std::string attribute_text(const Value& value) {
+    switch (info(value.op).attribute) {
+        case Attribute::Set:
+        case Attribute::Texture:
+        case Attribute::Parameter:
+            return fmt::format(" {}", value.index);
+        case Attribute::Zero:
+            return fmt::format(" {}", value.number[0]);
+        case Attribute::Number: {
+            std::string out;
+            for (std::size_t i = 0; i < component_count(value.type); ++i) out += fmt::format(" {}", value.number[i]);
+            return out;
+        }
+        case Attribute::None:
+            break;
+    }
+    return "";
+}
+
+std::string value_line(std::size_t i, const Value& value) {
+    std::string line = fmt::format("%{} = {}{}", i, info(value.op).name, attribute_text(value));
+    for (ValueId operand : value.operands) line += fmt::format(" %{}", operand.index);
+    line += fmt::format(" : {}", info(value.type).name);
+    if (!value.name.empty()) line += " " + quoted(value.name, '\'');
+    return line + "\n";
+}
+
+}  // namespace
+
+std::string print(const Module& module) {
+    std::string out = "module " + quoted(module.name, '"') + "\n";
+    for (std::size_t i = 0; i < module.textures.size(); ++i) {
+        const Texture& texture = module.textures[i];
+        out += fmt::format("texture {} {} {}\n", i, quoted(texture.name, '"'),
+                           texture.encoding == TextureEncoding::tangent_normal ? "tangent_normal" : "tangent_normal_xy");
+    }
+    for (std::size_t i = 0; i < module.parameters.size(); ++i) {
+        const Parameter& parameter = module.parameters[i];
+        out += fmt::format("parameter {} {} : {}\n", i, quoted(parameter.name, '"'), info(parameter.type).name);
+    }
+    LayerId current;
+    for (std::size_t i = 0; i < module.values.size(); ++i) {
+        const Value& value = module.values[i];
+        if (value.layer != current) {
+            current = value.layer;
+            out += current.valid() ? fmt::format("layer {} {}\n", quoted(module.layers[current.index].id, '"'),
+                                                 module.layers[current.index].kind)
+                                   : "layer none\n";
+        }
+        out += value_line(i, value);
+    }
+    for (const OutputBinding& binding : module.outputs) {
+        std::string set = binding.output == Output::uv ? fmt::format(" {}", binding.set) : "";
+        out += fmt::format("output {}{} = %{}\n", output_name(binding.output), set, binding.value.index);
+    }
+    return out;
+}
+
+}  // namespace sg::ir

@@ -1,0 +1,30 @@
+// The text form of a module, line by line ('#' starts a comment that reaches to the end of the line):
+//
+//   module "brick"
+//   texture 0 "scan" tangent_normal
+//   parameter 0 "detail" : Scalar
+//   %0 = position : Position
+//   layer "scan" normal_map           values from here on belong to this layer
+//   %1 = uv_set 0 : Uv                attribute Set
+//   %2 = sample 0 %1 : Texel 'texel'  attribute Texture, operands, a name hint
+//   %3 = decode_normal_xyz 127.5 %2 : TangentNormal
+//   %4 = constant 0.5 : Scalar        attribute Number, as many as the type has
+//   layer none
+//   output normal = %9
+//   output uv 0 = %1
+//
+// Names are quoted with \" \\ and \xNN escapes. Numbers print with the fewest digits that read back equal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ir/ir.hpp"
+
+namespace sg::ir {
+
+// Reads the text form. A fault gives nothing and says in `fault` which line and why. The result is not verified.
+std::optional<Module> parse(std::string_view text, std::string& fault);
+
+}  // namespace sg::ir

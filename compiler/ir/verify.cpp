@@ -1,0 +1,112 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "ir/ir.hpp"
+
+namespace sg::ir {
+namespace {
+
+struct Verifier {
+    const Module& module;
+    std::string faults;
+
+    void fault(std::string_view where, const std::string& what) { faults += fmt::format("{}: {}\n", where, what); }
+
+    void operands(std::size_t i, const Value& value, const OpInfo& row, const std::string& where) {
+        if (value.operands.size() != row.operands.size()) {
+            fault(where, fmt::format("'{}' takes {} operands, found {}", row.name, row.operands.size(),
+                                     value.operands.size()));
+            return;
+        }
+        for (std::size_t k = 0; k < value.operands.size(); ++k) {
+            ValueId operand = value.operands[k];
+            if (operand.index >= i) {
+                fault(where, fmt::format("operand {} is not an earlier value", k));
+                continue;
+            }
+            Type found = module.at(operand).type;
+            if (found != row.operands[k]) {
+                fault(where, fmt::format("'{}' takes {} as operand {}, found {} (%{})", row.name,
+                                         info(row.operands[k]).name, k, info(found).name, operand.index));
+            }
+        }
+    }
+
+    void attribute(const Value& value, const OpInfo& row, const std::string& where) {
+        switch (row.attribute) {
+            case Attribute::Set:
+                if (value.index > 7) fault(where, fmt::format("uv set {} is not in 0..7", value.index));
+                break;
+            case Attribute::Texture:
+                if (value.index >= module.textures.size()) fault(where, "no such texture");
+                break;
+            case Attribute::Parameter:
+                if (value.index >= module.parameters.size()) {
+                    fault(where, "no such parameter");
+                } else if (module.parameters[value.index].type != value.type) {
+                    fault(where, fmt::format("parameter '{}' is {}, the value is {}",
+                                             module.parameters[value.index].name,
+                                             info(module.parameters[value.index].type).name, info(value.type).name));
+                }
+                break;
+            case Attribute::Zero:
+                if (!(value.number[0] >= 127.0 && value.number[0] <= 128.0)) {
+                    fault(where, fmt::format("zero {} is not in 127..128", value.number[0]));
+                }
+                break;
+            case Attribute::Number:
+                for (double n : value.number) {
+                    if (!std::isfinite(n)) fault(where, "a constant is not finite");
+                }
+                break;
+            case Attribute::None:
+                break;
+        }
+    }
+
+    void value(std::size_t i) {
+        const Value& v = module.values[i];
+        const OpInfo& row = info(v.op);
+        std::string where = fmt::format("%{}", i);
+        if (row.result != Type::Any && v.type != row.result) {
+            fault(where, fmt::format("'{}' gives {}, the value is {}", row.name, info(row.result).name, info(v.type).name));
+        }
+        if (row.result == Type::Any && component_count(v.type) == 0) {
+            fault(where, fmt::format("'{}' cannot give {}", row.name, info(v.type).name));
+        }
+        if (v.layer.valid() && v.layer.index >= module.layers.size()) fault(where, "no such layer");
+        operands(i, v, row, where);
+        attribute(v, row, where);
+    }
+
+    void output(std::size_t i) {
+        const OutputBinding& binding = module.outputs[i];
+        std::string where = fmt::format("output {}", output_name(binding.output));
+        if (binding.value.index >= module.values.size()) {
+            fault(where, "no such value");
+            return;
+        }
+        Type found = module.at(binding.value).type;
+        if (found != output_type(binding.output)) {
+            fault(where, fmt::format("takes {}, found {} (%{})", info(output_type(binding.output)).name,
+                                     info(found).name, binding.value.index));
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (module.outputs[j].output == binding.output && module.outputs[j].set == binding.set) {
+                fault(where, "is set twice");
+            }
+        }
+    }
+};
+
+}  // namespace
+
+std::string verify(const Module& module) {
+    Verifier verifier{module, ""};
+    for (std::size_t i = 0; i < module.values.size(); ++i) verifier.value(i);
+    for (std::size_t i = 0; i < module.outputs.size(); ++i) verifier.output(i);
+    return verifier.faults;
+}
+
+}  // namespace sg::ir

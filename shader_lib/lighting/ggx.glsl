@@ -1,0 +1,51 @@
+// GGX: microfacet reflection with Smith's height-correlated shadowing and a Lambert base.
+#ifndef SG_LIGHTING_GGX
+#define SG_LIGHTING_GGX
+
+struct SgSurface {
+    vec3 base_color;  // linear, 0..1
+    float metallic;   // 0..1
+    float roughness;  // perceptual, 0..1; alpha = roughness^2
+};
+
+// Trowbridge and Reitz 1975 as named GGX by Walter et al. 2007, Eq 33. cos_h in 0..1, alpha > 0.
+float sg_ggx_distribution(float cos_h, float alpha) {
+    float a2 = alpha * alpha;
+    float f = (cos_h * a2 - cos_h) * cos_h + 1.0;
+    return a2 / (3.14159265 * f * f);
+}
+
+// Smith's height-correlated visibility, G / (4 cos_l cos_v). Heitz 2014, Eq 99.
+float sg_ggx_visibility(float cos_l, float cos_v, float alpha) {
+    float a2 = alpha * alpha;
+    float l = cos_v * sqrt((cos_l - a2 * cos_l) * cos_l + a2);
+    float v = cos_l * sqrt((cos_v - a2 * cos_v) * cos_v + a2);
+    return 0.5 / max(l + v, 1e-6);
+}
+
+// Schlick 1994.
+vec3 sg_fresnel(vec3 f0, float cos_d) {
+    float m = clamp(1.0 - cos_d, 0.0, 1.0);
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+// Radiance towards the viewer from one directional light.
+//   n, view, light: unit, world axes, view towards the viewer, light towards the light;
+//   radiance: irradiance of the light on a facing surface divided by pi.
+vec3 sg_ggx(SgSurface surface, vec3 n, vec3 view, vec3 light, vec3 radiance) {
+    vec3 sum = view + light;
+    vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12));
+    float cos_l = clamp(dot(n, light), 0.0, 1.0);
+    float cos_v = abs(dot(n, view)) + 1e-4;  // bumped normals may face away from the viewer
+    float cos_h = clamp(dot(n, h), 0.0, 1.0);
+    float cos_d = clamp(dot(light, h), 0.0, 1.0);
+    float alpha = max(surface.roughness * surface.roughness, 2e-3);
+    vec3 f0 = mix(vec3(0.04), surface.base_color, surface.metallic);
+    vec3 fresnel = sg_fresnel(f0, cos_d);
+    vec3 specular = fresnel * (sg_ggx_distribution(cos_h, alpha) * sg_ggx_visibility(cos_l, cos_v, alpha));
+    vec3 diffuse = (1.0 - fresnel) * (1.0 - surface.metallic) * surface.base_color;
+    return (diffuse + 3.14159265 * specular) * radiance * cos_l;
+}
+
+#endif

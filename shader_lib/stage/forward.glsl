@@ -1,0 +1,25 @@
+// The lit picture: one directional light and a constant ambient term.
+#ifndef SG_STAGE_FORWARD
+#define SG_STAGE_FORWARD
+
+#include "lighting/ggx.glsl"
+#include "stage/frame_block.glsl"
+
+// Unit, towards the viewer. Orthographic cameras see along one direction.
+vec3 sg_stage_view(vec3 position) {
+    bool perspective = sg_frame_block.camera_position.w > 0.5;
+    vec3 to_viewer = perspective ? -position : -sg_frame_block.view_direction.xyz;
+    return to_viewer * inversesqrt(max(dot(to_viewer, to_viewer), 1e-30));
+}
+
+// Linear radiance; alpha 1 marks a covered pixel.
+vec4 sg_stage_forward(SgSurface surface, vec3 position, vec3 normal) {
+    vec3 view = sg_stage_view(position);
+    vec3 direct =
+        sg_ggx(surface, normal, view, sg_frame_block.light_direction.xyz, sg_frame_block.light_radiance.rgb);
+    vec3 f0 = mix(vec3(0.04), surface.base_color, surface.metallic);
+    vec3 ambient_albedo = mix(surface.base_color, f0, surface.metallic);
+    return vec4(direct + ambient_albedo * sg_frame_block.ambient_radiance.rgb, 1.0);
+}
+
+#endif

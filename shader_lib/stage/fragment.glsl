@@ -1,0 +1,20 @@
+// The fragment stage: the only file with screen derivatives and with gl_FrontFacing. Call these in uniform control
+// flow, before any branch; everything else takes the results as parameters.
+#ifndef SG_STAGE_FRAGMENT
+#define SG_STAGE_FRAGMENT
+
+#include "surfgrad/frame.glsl"
+#include "surfgrad/uv.glsl"
+
+// A texture coordinate with its derivatives over the screen.
+SgUv sg_stage_uv(vec2 st) { return SgUv(st, dFdxFine(st), dFdyFine(st)); }
+
+// The frame of the surface under this pixel. position: relative world space; n: unit.
+SgFrame sg_stage_frame(vec3 position, vec3 n) {
+    return sg_frame(position, dFdxFine(position), dFdyFine(position), n);
+}
+
+// +1 on front faces, -1 on back faces.
+float sg_stage_facing() { return gl_FrontFacing ? 1.0 : -1.0; }
+
+#endif

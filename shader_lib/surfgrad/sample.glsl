@@ -1,0 +1,12 @@
+// Reading a texture with explicit gradients: legal in branches, loops and every shader stage.
+#ifndef SG_SAMPLE
+#define SG_SAMPLE
+
+#include "surfgrad/uv.glsl"
+
+// The filtered texel at uv; the level of detail follows from uv.dx and uv.dy.
+vec4 sg_sample(texture2D image, sampler filtering, SgUv uv) {
+    return textureGrad(sampler2D(image, filtering), uv.st, uv.dx, uv.dy);
+}
+
+#endif
