@@ -1,0 +1,83 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include "asset/image_readers.hpp"
+
+// Private copies of the functions: other libraries carry their own stb_image.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#define STBI_ONLY_HDR
+#include <stb/stb_image.h>
+
+namespace sg::asset {
+namespace {
+
+struct Free {
+    void operator()(void* p) const { stbi_image_free(p); }
+};
+
+// Texels that one byte of each format can stand for at most, generously: progressive JPEG spends at least a bit per
+// 8x8 block, run lengths of TGA and HDR reach 128 texels. Keeps a few hostile bytes from asking for gigabytes.
+constexpr std::uint64_t kMostTexelsPerByte = 512;
+
+bool plausible_size(const ImageSource& source, int width, int height) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <=
+           source.bytes.size() * kMostTexelsPerByte;
+}
+
+const stbi_uc* data_of(const ImageSource& source) { return reinterpret_cast<const stbi_uc*>(source.bytes.data()); }
+int size_of(const ImageSource& source) { return static_cast<int>(source.bytes.size()); }
+
+template <class Texel>
+std::optional<Image> take(const ImageSource& source, Texel* raw, int width, int height, Diags& diags) {
+    const std::unique_ptr<Texel, Free> texels(raw);
+    if (!raw) {
+        report_bad_image(source, fmt::format("damaged file ({})", stbi_failure_reason()), diags);
+        return std::nullopt;
+    }
+    constexpr bool is_float = std::is_same_v<Texel, float>;
+    Image image = make_image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                             is_float ? TexelFormat::float32 : TexelFormat::unorm8);
+    std::memcpy(image.bytes.data(), raw, image.bytes.size());
+    return image;
+}
+
+}  // namespace
+
+std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
+    if (source.bytes.size() > 0x7fffffffu) {
+        diags.error(Code::image_limit, source.place,
+                    fmt::format("'{}' has {} bytes, expected less than 2 GiB", printable(source.name),
+                                source.bytes.size()));
+        return std::nullopt;
+    }
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data_of(source), size_of(source), &width, &height, &channels)) {
+        report_bad_image(source, "expected PNG, JPEG, EXR, PFM, HDR, TGA or BMP", diags);
+        return std::nullopt;
+    }
+    if (!check_image_size(source, static_cast<std::uint64_t>(std::max(width, 0)),
+                          static_cast<std::uint64_t>(std::max(height, 0)), diags))
+        return std::nullopt;
+    if (!plausible_size(source, width, height)) {
+        report_bad_image(source, fmt::format("damaged file ({} bytes cannot hold {} x {} texels)",
+                                             source.bytes.size(), width, height), diags);
+        return std::nullopt;
+    }
+    if (stbi_is_hdr_from_memory(data_of(source), size_of(source))) {
+        float* raw = stbi_loadf_from_memory(data_of(source), size_of(source), &width, &height, &channels, 4);
+        return take(source, raw, width, height, diags);
+    }
+    stbi_uc* raw = stbi_load_from_memory(data_of(source), size_of(source), &width, &height, &channels, 4);
+    return take(source, raw, width, height, diags);
+}
+
+}  // namespace sg::asset
