@@ -29,7 +29,6 @@ struct Field {
     double minimum = 0;   // number, pair
     double maximum = 0;
     std::vector<std::string_view> choices;              // choice
-    std::vector<ir::TextureEncoding> encodings;         // texture: what the layer can read
     std::string_view unit;                              // of numbers; "" for a plain factor
     std::string_view doc;
 };

@@ -39,15 +39,13 @@ ir::ValueId lower(LowerContext& context, std::span<const FieldValue> values) {
 }  // namespace
 
 const LayerKind& normal_map() {
-    using enum ir::TextureEncoding;
     static const LayerKind kRow{
         .name = "normal_map",
         .doc = "a tangent-space normal map on a uv set",
         .fields = {{.name = "texture",
                     .kind = FieldKind::texture,
                     .required = true,
-                    .encodings = {tangent_normal, tangent_normal_xy},
-                    .doc = "the map"},
+                    .doc = "the map, of encoding tangent_normal or tangent_normal_xy"},
                    {.name = "uv", .kind = FieldKind::uv_set, .doc = "the uv set that places the map"},
                    {.name = "basis",
                     .kind = FieldKind::choice,
