@@ -1,0 +1,16 @@
+// Texture coordinates with their screen derivatives.
+#pragma once
+
+#include "ir/reference/checked.hpp"
+
+namespace sg::ref {
+
+struct Uv {
+    dvec2 st, dx, dy;
+};
+
+Uv uv_scale(const Uv& uv, dvec2 scale);
+Uv uv_transform(const Uv& uv, dvec2 scale, double rotation, dvec2 offset);
+double uv_level(const Uv& uv, dvec2 dim);
+
+}  // namespace sg::ref
