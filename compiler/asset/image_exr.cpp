@@ -202,9 +202,11 @@ std::optional<std::vector<ExrLayer>> read_layers(const ImageSource& source, Diag
     for (int i = 0; i < header.num_channels; ++i)
         if (header.pixel_types[i] == TINYEXR_PIXELTYPE_HALF) header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
     OwnedImage exr;
+    exr.image.num_channels = header.num_channels;  // tinyexr sets it last, but frees by it when it fails
     const char* message = nullptr;
     if (LoadEXRImageFromMemory(&exr.image, &header, data_of(source), source.bytes.size(), &message) !=
         TINYEXR_SUCCESS) {
+        InitEXRImage(&exr.image);  // what it held has been freed, its pointers stayed
         report_bad_image(source, fmt::format("damaged EXR ({})", take_message(message)), diags);
         return std::nullopt;
     }

