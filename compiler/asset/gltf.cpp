@@ -261,7 +261,7 @@ std::optional<Scene> read_gltf(Files& files, const fs::path& path, Diags& diags)
     const std::optional<std::string> bytes = read_or_report(files, path, diags);
     if (!bytes) return std::nullopt;
     auto report = [&](std::string_view reason) {
-        diags.error(Code::mesh_format, fmt::format("cannot read '{}' as glTF 2.0: {}", path.string(), reason));
+        diags.error(Code::mesh_format, fmt::format("cannot read '{}' as glTF 2.0: {}", printable(path.string()), reason));
     };
     Folder folder{files, path.parent_path().string()};
     tinygltf::Model model;
@@ -276,7 +276,7 @@ std::optional<Scene> read_gltf(Files& files, const fs::path& path, Diags& diags)
         return std::nullopt;
     }
     if (scene.instances.empty()) {
-        diags.error(Code::mesh_empty, fmt::format("'{}' draws no triangles", path.string()));
+        diags.error(Code::mesh_empty, fmt::format("'{}' draws no triangles", printable(path.string())));
         return std::nullopt;
     }
     return scene;
