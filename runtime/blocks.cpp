@@ -1,0 +1,37 @@
+#include "runtime/blocks.hpp"
+
+namespace sg::runtime {
+
+FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, double height, double time,
+                       std::uint32_t view) {
+    CameraMatrices matrices = camera_matrices(scene.camera, bounds, width, height);
+    FrameBlock out{};
+    out.clip_from_relative = glm::mat4(matrices.clip_from_relative);
+    out.relative_from_screen = glm::mat4(matrices.relative_from_screen);
+    out.camera_position = glm::vec4(glm::vec3(scene.camera.position), scene.camera.ortho_height > 0 ? 0 : 1);
+    out.view_direction = glm::vec4(glm::vec3(matrices.direction), 0);
+    out.light_direction = glm::vec4(glm::vec3(glm::normalize(scene.light.direction)), 0);
+    out.light_radiance = glm::vec4(glm::vec3(scene.light.radiance), 0);
+    out.ambient_radiance = glm::vec4(glm::vec3(scene.light.ambient), 0);
+    out.time_view = glm::vec4(static_cast<float>(time), static_cast<float>(view), 0, 0);
+    return out;
+}
+
+bool is_mirrored(const glm::mat4& world_from_object) {
+    return glm::determinant(glm::dmat3(glm::dmat4(world_from_object))) < 0;
+}
+
+ObjectBlock object_block(const Camera& camera, const glm::mat4& world_from_object) {
+    glm::dmat4 relative(world_from_object);
+    relative[3] -= glm::dvec4(camera.position, 0);
+    glm::dvec3 x(relative[0]), y(relative[1]), z(relative[2]);
+    double sign = is_mirrored(world_from_object) ? -1 : 1;
+    glm::dmat4 normal(0);
+    normal[0] = glm::dvec4(glm::cross(y, z) * sign, 0);
+    normal[1] = glm::dvec4(glm::cross(z, x) * sign, 0);
+    normal[2] = glm::dvec4(glm::cross(x, y) * sign, 0);
+    normal[3][3] = sign;
+    return {glm::mat4(relative), world_from_object, glm::mat4(normal)};
+}
+
+}  // namespace sg::runtime

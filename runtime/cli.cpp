@@ -1,0 +1,155 @@
+#include "runtime/cli.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "runtime/output.hpp"
+#include "runtime/parameters.hpp"
+
+namespace sg::runtime {
+namespace {
+
+constexpr int kCommandLineWrong = 2;
+constexpr std::uint32_t kMaxSide = 16384;
+constexpr std::uint32_t kMaxSupersample = 8;
+
+// The options that are texts with an inner form.
+struct Texts {
+    std::string size, camera, light;
+};
+
+void bad(Diags& diags, std::string_view option, std::string_view expected, std::string_view text) {
+    diags.error(Code::bad_argument,
+                fmt::format("{}: expected {}, not '{}'", option, expected, printable(text)));
+}
+
+std::optional<glm::dvec3> parse_point(std::string_view text) {
+    auto numbers = parse_numbers(text);
+    if (!numbers || numbers->size() != 3) return std::nullopt;
+    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+void parse_size(const std::string& text, Arguments& out, Diags& diags) {
+    std::size_t cross = text.find('x');
+    auto width = parse_numbers(std::string_view(text).substr(0, cross));
+    auto height =
+        cross == std::string::npos ? width : parse_numbers(std::string_view(text).substr(cross + 1));
+    auto is_side = [](const auto& n) {
+        return n && n->size() == 1 && (*n)[0] >= 1 && (*n)[0] <= kMaxSide && (*n)[0] == std::floor((*n)[0]);
+    };
+    if (!is_side(width) || !is_side(height)) {
+        return bad(diags, "--size", fmt::format("WIDTHxHEIGHT, each from 1 to {}", kMaxSide), text);
+    }
+    out.width = static_cast<std::uint32_t>((*width)[0]);
+    out.height = static_cast<std::uint32_t>((*height)[0]);
+}
+
+void parse_camera(const std::string& text, Arguments& out, Diags& diags) {
+    std::size_t first = text.find(':');
+    std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+    std::optional<glm::dvec3> position, target;
+    if (first != std::string::npos) {
+        position = parse_point(std::string_view(text).substr(0, first));
+        target = parse_point(std::string_view(text).substr(first + 1, second - first - 1));
+    }
+    Camera camera;
+    bool fov_ok = true;
+    if (second != std::string::npos) {
+        auto fov = parse_numbers(std::string_view(text).substr(second + 1));
+        fov_ok = fov && fov->size() == 1 && (*fov)[0] >= 0.1 && (*fov)[0] <= 170;
+        if (fov_ok) camera.fov_degrees = (*fov)[0];
+    }
+    if (!position || !target || *position == *target || !fov_ok) {
+        return bad(diags, "--camera",
+                   "X,Y,Z:X,Y,Z or X,Y,Z:X,Y,Z:FOV (two different points, 0.1 to 170 degrees)", text);
+    }
+    camera.position = *position;
+    camera.target = *target;
+    out.camera = camera;
+}
+
+void parse_light(const std::string& text, Arguments& out, Diags& diags) {
+    out.light = parse_point(text);
+    if (!out.light || glm::length(*out.light) == 0) bad(diags, "--light", "X,Y,Z, not all 0", text);
+}
+
+void check(const Texts& texts, Arguments& out, Diags& diags) {
+    parse_size(texts.size, out, diags);
+    if (!texts.camera.empty()) parse_camera(texts.camera, out, diags);
+    if (!texts.light.empty()) parse_light(texts.light, out, diags);
+    if (out.ortho_height && !(*out.ortho_height > 0 && std::isfinite(*out.ortho_height))) {
+        bad(diags, "--ortho", "a height above 0", fmt::format("{}", *out.ortho_height));
+    }
+    if (!std::isfinite(out.time) || !std::isfinite(out.exposure)) {
+        bad(diags, "--time and --exposure", "finite numbers", "nan or inf");
+    }
+    if (out.list_devices) return;
+    if (out.input.empty())
+        diags.error(Code::bad_argument, "no artefact and no material is given; see --help");
+    if (out.output.empty() && out.dump_inputs.empty()) {
+        diags.error(Code::bad_argument, "nothing to write: give -o FILE or --dump-inputs FILE");
+    }
+    if (!out.output.empty() && !picture_format(out.output)) {
+        bad(diags, "--output", "a file that ends in .png, .exr or .pfm", out.output.string());
+    }
+    if (!out.dump_inputs.empty() && picture_format(out.dump_inputs) != PictureFormat::exr) {
+        bad(diags, "--dump-inputs", "a file that ends in .exr", out.dump_inputs.string());
+    }
+}
+
+void add_options(CLI::App& app, Arguments& out, Texts& texts) {
+    app.add_option("input", out.input, "an artefact's manifest, or a material, which is then compiled first");
+    app.add_option("-o,--output", out.output,
+                   "the picture: .png (for the eye), .exr or .pfm (raw 32-bit floats)");
+    app.add_option("--mesh", out.mesh,
+                   "a built-in shape (plane, sphere, torus, cube) or a .gltf or .glb file")
+        ->capture_default_str();
+    app.add_option("--view", out.view, "lit, normal, or a debug view of the material")->capture_default_str();
+    app.add_option("--size", texts.size, "WIDTHxHEIGHT in pixels, or one number for both")
+        ->capture_default_str();
+    app.add_option("--camera", texts.camera,
+                   "X,Y,Z:X,Y,Z[:FOV]: position, target, vertical field of view in degrees");
+    app.add_option("--ortho", out.ortho_height,
+                   "an orthographic camera that sees so many world units vertically");
+    app.add_option("--light", texts.light, "X,Y,Z: the direction towards the light, world axes");
+    app.add_option("--param", out.parameters,
+                   "NAME=VALUE or NAME=V,V,V: a parameter of the material (repeatable)")
+        ->allow_extra_args(false);
+    app.add_option("--time", out.time, "seconds")->capture_default_str();
+    app.add_option("--exposure", out.exposure, "stops, of the lit view's PNG")->capture_default_str();
+    app.add_option("--supersample", out.supersample, "draw N times larger per side and shrink")
+        ->check(CLI::Range(1u, kMaxSupersample))
+        ->capture_default_str();
+    app.add_option("--texture-root", out.texture_root,
+                   "the folder of the textures (default: the input's folder)");
+    app.add_option("--dump-inputs", out.dump_inputs, "write every debug view as a layer of this .exr");
+    app.add_option("--device", out.device, "part of the device's name (default: a GPU, else the CPU device)");
+    app.add_flag("--validate", out.validate, "fail on any message of the Vulkan validation layers");
+    app.add_flag("--list-devices", out.list_devices, "print the devices and leave");
+    app.set_version_flag("--version", SG_VERSION_TEXT);
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+    Arguments arguments;
+    Texts texts;
+    texts.size = "512x512";
+    CLI::App app("Draws a compiled material.", "surfgrad-render");
+    add_options(app, arguments, texts);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        int code = app.exit(error);
+        return {std::nullopt, code == 0 ? 0 : kCommandLineWrong};
+    }
+    Diags diags;
+    check(texts, arguments, diags);
+    if (!diags.has_errors()) return {arguments, 0};
+    fmt::print(stderr, "{}", render(diags));
+    return {std::nullopt, kCommandLineWrong};
+}
+
+}  // namespace sg::runtime

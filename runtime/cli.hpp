@@ -1,0 +1,43 @@
+// The command line of surfgrad-render.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diag.hpp"
+#include "runtime/camera.hpp"
+
+namespace sg::runtime {
+
+struct Arguments {
+    std::filesystem::path input;  // a manifest or a material
+    std::filesystem::path output;
+    std::filesystem::path dump_inputs;
+    std::string mesh = "sphere";
+    std::string view = "lit";
+    std::uint32_t width = 512, height = 512;
+    std::uint32_t supersample = 1;
+    std::optional<Camera> camera;         // none: the default one
+    std::optional<double> ortho_height;   // world units
+    std::optional<glm::dvec3> light;      // towards the light
+    std::vector<std::string> parameters;  // NAME=VALUE
+    double time = 0;                      // seconds
+    double exposure = 0;                  // stops
+    std::string device;
+    std::optional<std::filesystem::path> texture_root;
+    bool validate = false;
+    bool list_devices = false;
+};
+
+// Either arguments, or the exit code to leave with (after --help and --version 0, after a wrong command line
+// 2); what there is to say has been printed then.
+struct CommandLine {
+    std::optional<Arguments> arguments;
+    int exit_code = 0;
+};
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace sg::runtime

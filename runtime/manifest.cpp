@@ -1,0 +1,305 @@
+// The one place of the runtime that sees JSON.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "runtime/artefact.hpp"
+
+namespace sg::runtime {
+namespace {
+
+using Json = nlohmann::json;
+
+// A value and where it stands; reads what is expected of it and reports what is not. After an error it hands
+// out harmless values, so that the rest of the manifest is still read and all of its errors are found.
+class Node {
+public:
+    Node(const Json* value, std::string pointer, std::string_view file, Diags& diags)
+        : value_(value), pointer_(std::move(pointer)), file_(file), diags_(&diags) {}
+
+    void fail(std::string_view what) const {
+        diags_->error(Code::manifest_format, fmt::format("{}: '{}' {}", printable(file_),
+                                                         printable(pointer_.empty() ? "/" : pointer_), what));
+    }
+    [[nodiscard]] bool has(std::string_view key) const {
+        return value_->is_object() && value_->contains(key);
+    }
+    [[nodiscard]] bool is_array() const { return value_->is_array(); }
+    [[nodiscard]] Node at(std::string_view key) const {
+        static const Json nothing;
+        Node child(has(key) ? &value_->at(std::string(key)) : &nothing, fmt::format("{}/{}", pointer_, key),
+                   file_, *diags_);
+        if (!has(key)) child.fail("is missing");
+        return child;
+    }
+    [[nodiscard]] std::string text() const {
+        if (value_->is_string()) return value_->get<std::string>();
+        if (!value_->is_null()) fail("must be a text");
+        return "";
+    }
+    [[nodiscard]] double number(double lowest, double highest) const {
+        double out = value_->is_number() ? value_->get<double>() : NAN;
+        if (out >= lowest && out <= highest) return out;
+        if (!value_->is_null()) fail(fmt::format("must be a number from {} to {}", lowest, highest));
+        return lowest;
+    }
+    [[nodiscard]] std::uint32_t integer(std::uint32_t lowest, std::uint32_t highest) const {
+        double out = number(lowest, highest);
+        if (out == std::floor(out)) return static_cast<std::uint32_t>(out);
+        fail("must be a whole number");
+        return lowest;
+    }
+    // The index of the text in `words`.
+    [[nodiscard]] std::size_t choice(std::span<const std::string_view> words) const {
+        std::string word = text();
+        auto found = std::find(words.begin(), words.end(), word);
+        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+        if (!value_->is_null()) fail(fmt::format("is '{}', expected {}", printable(word), one_of(words)));
+        return 0;
+    }
+    [[nodiscard]] std::vector<Node> items() const {
+        std::vector<Node> out;
+        if (!value_->is_array() && !value_->is_null()) fail("must be an array");
+        if (!value_->is_array()) return out;
+        for (std::size_t i = 0; i < value_->size(); ++i) {
+            out.emplace_back(&(*value_)[i], fmt::format("{}/{}", pointer_, i), file_, *diags_);
+        }
+        return out;
+    }
+    // A file beside the manifest.
+    [[nodiscard]] std::string plain_file() const {
+        std::string file = text();
+        bool plain = !file.empty() && file != "." && file != ".." &&
+                     file.find_first_of("/\\") == std::string::npos && file.find('\0') == std::string::npos;
+        if (!plain && !value_->is_null()) fail("must be the name of a file beside the manifest");
+        return file;
+    }
+
+private:
+    const Json* value_;
+    std::string pointer_;
+    std::string_view file_;
+    Diags* diags_;
+};
+
+constexpr std::uint32_t kMaxBinding = 1023;
+constexpr std::array<std::string_view, 2> kStages = {"vert", "frag"};
+
+ShaderStage read_shader(const Node& node) {
+    return {node.at("file").plain_file(), node.at("hash").text(), {}};
+}
+
+void read_stages(const Node& node, EntryPoint& entry) {
+    std::array<bool, 2> seen{};
+    for (const Node& stage : node.items()) {
+        std::size_t which = stage.at("stage").choice(kStages);
+        if (seen[which]) stage.fail("repeats a stage");
+        seen[which] = true;
+        (which == 0 ? entry.vertex : entry.fragment) = read_shader(stage);
+    }
+    if (node.is_array() && !(seen[0] && seen[1])) node.fail("must hold a 'vert' and a 'frag' stage");
+}
+
+VertexInput read_input(const Node& node) {
+    struct Known {
+        std::string_view name;
+        std::uint32_t location, components;
+    };
+    static constexpr std::array<Known, 12> kKnown = {{{"position", 0, 3},
+                                                      {"normal", 1, 3},
+                                                      {"tangent", 2, 4},
+                                                      {"color", 3, 4},
+                                                      {"uv0", 4, 2},
+                                                      {"uv1", 5, 2},
+                                                      {"uv2", 6, 2},
+                                                      {"uv3", 7, 2},
+                                                      {"uv4", 8, 2},
+                                                      {"uv5", 9, 2},
+                                                      {"uv6", 10, 2},
+                                                      {"uv7", 11, 2}}};
+    static constexpr std::array<std::string_view, 3> kFormats = {"float2", "float3", "float4"};
+    VertexInput input{node.at("name").text(), node.at("location").integer(0, 11),
+                      static_cast<std::uint32_t>(node.at("format").choice(kFormats)) + 2};
+    for (const Known& known : kKnown) {
+        if (known.name != input.name) continue;
+        if (known.location != input.location || known.components != input.components) {
+            node.fail(fmt::format("must be float{} at location {}", known.components, known.location));
+        }
+        return input;
+    }
+    node.fail(fmt::format("is an unknown vertex input '{}'", printable(input.name)));
+    return input;
+}
+
+BindingSlot read_binding(const Node& node) {
+    static constexpr std::array<std::string_view, 3> kKinds = {"uniform_buffer", "texture", "sampler"};
+    BindingSlot slot;
+    slot.set = node.at("set").integer(0, 2);
+    slot.binding = node.at("binding").integer(0, kMaxBinding);
+    slot.kind = static_cast<BindingSlot::Kind>(node.at("kind").choice(kKinds));
+    for (const Node& stage : node.at("stages").items()) {
+        (stage.choice(kStages) == 0 ? slot.in_vertex : slot.in_fragment) = true;
+    }
+    return slot;
+}
+
+DebugView read_view(const Node& node) {
+    static constexpr std::array<std::string_view, 4> kKinds = {"direction", "position", "uv", "vector"};
+    static constexpr std::array kValues = {ViewKind::direction, ViewKind::position, ViewKind::uv,
+                                           ViewKind::vector};
+    return {node.at("name").text(), node.at("number").integer(0, 1u << 20),
+            node.at("components").integer(1, 4), kValues[node.at("kind").choice(kKinds)]};
+}
+
+EntryPoint read_entry(const Node& node) {
+    EntryPoint entry;
+    entry.name = node.at("name").text();
+    read_stages(node.at("stages"), entry);
+    for (const Node& input : node.at("vertex_inputs").items()) entry.inputs.push_back(read_input(input));
+    for (const Node& binding : node.at("bindings").items()) entry.bindings.push_back(read_binding(binding));
+    if (node.has("views")) {
+        for (const Node& view : node.at("views").items()) entry.views.push_back(read_view(view));
+    }
+    return entry;
+}
+
+Parameter read_parameter(const Node& node, std::size_t block_size) {
+    static constexpr std::array<std::string_view, 5> kTypes = {"float", "vec2", "vec3", "vec4", "color"};
+    static constexpr std::array<std::size_t, 5> kComponents = {1, 2, 3, 4, 3};
+    constexpr double kFloatMax = 3.4028234663852886e38;
+    Parameter parameter;
+    parameter.name = node.at("name").text();
+    std::size_t type = node.at("type").choice(kTypes);
+    parameter.type = kTypes[type];
+    parameter.offset = node.at("offset").integer(0, 1u << 16);
+    for (const Node& value : node.at("default").items()) {
+        parameter.initial.push_back(static_cast<float>(value.number(-kFloatMax, kFloatMax)));
+    }
+    if (parameter.initial.size() != kComponents[type]) {
+        node.fail(fmt::format("must have a default of {} numbers", kComponents[type]));
+    }
+    if (parameter.offset % sizeof(float) != 0 ||
+        parameter.offset + kComponents[type] * sizeof(float) > block_size) {
+        node.fail("lies outside its block");
+    }
+    if (node.has("range")) {
+        auto ends = node.at("range").items();
+        if (ends.size() != 2) node.at("range").fail("must hold two numbers");
+        if (ends.size() == 2) {
+            parameter.range = {ends[0].number(-kFloatMax, kFloatMax), ends[1].number(-kFloatMax, kFloatMax)};
+        }
+    }
+    return parameter;
+}
+
+ParameterBlock read_block(const Node& node) {
+    ParameterBlock block;
+    if (node.at("set").integer(0, 2) != 1 || node.at("binding").integer(0, kMaxBinding) != 0) {
+        node.fail("must be binding 0 of set 1");
+    }
+    block.size = node.at("size").integer(4, 1u << 14);
+    for (const Node& parameter : node.at("parameters").items()) {
+        block.parameters.push_back(read_parameter(parameter, block.size));
+    }
+    return block;
+}
+
+TextureSlot read_texture(const Node& node) {
+    static constexpr std::array<std::string_view, 5> kEncodings = {"tangent_normal", "tangent_normal_xy",
+                                                                   "color", "mask", "height"};
+    static constexpr std::array kMeanings = {TextureSlot::Encoding::normal_xyz,
+                                             TextureSlot::Encoding::normal_xy, TextureSlot::Encoding::plain,
+                                             TextureSlot::Encoding::plain, TextureSlot::Encoding::plain};
+    static constexpr std::array<std::string_view, 2> kSpaces = {"linear", "srgb"};
+    TextureSlot slot{node.at("name").text(), node.at("file").text(), node.at("hash").text(),
+                     node.at("binding").integer(0, kMaxBinding)};
+    if (node.at("set").integer(0, 2) != 1) node.fail("must be in set 1");
+    slot.encoding = kMeanings[node.at("encoding").choice(kEncodings)];
+    if (slot.encoding != TextureSlot::Encoding::plain) slot.zero = node.at("zero").number(127, 128);
+    slot.srgb = node.at("color_space").choice(kSpaces) == 1;
+    return slot;
+}
+
+SamplerSlot read_sampler(const Node& node) {
+    static constexpr std::array<std::string_view, 3> kWraps = {"repeat", "mirror", "clamp"};
+    static constexpr std::array<std::string_view, 2> kFilters = {"nearest", "linear"};
+    static constexpr std::array<std::string_view, 3> kMips = {"none", "nearest", "linear"};
+    SamplerSlot slot;
+    if (node.at("set").integer(0, 2) != 1) node.fail("must be in set 1");
+    slot.binding = node.at("binding").integer(0, kMaxBinding);
+    slot.state.wrap_s = static_cast<gpu::Wrap>(node.at("wrap_s").choice(kWraps));
+    slot.state.wrap_t = static_cast<gpu::Wrap>(node.at("wrap_t").choice(kWraps));
+    slot.state.linear = node.at("filter").choice(kFilters) == 1;
+    slot.state.mip_filter = static_cast<gpu::MipFilter>(node.at("mip_filter").choice(kMips));
+    slot.state.anisotropy = node.at("anisotropy").number(1, 16);
+    return slot;
+}
+
+// Whether something of the artefact can stand at the slot.
+bool is_filled(const Artefact& artefact, const BindingSlot& slot) {
+    auto same = [&](const auto& other) { return slot.set == 1 && other.binding == slot.binding; };
+    switch (slot.kind) {
+        case BindingSlot::Kind::uniform_buffer:
+            return slot.binding == 0 && (slot.set != 1 || artefact.parameters.has_value());
+        case BindingSlot::Kind::texture:
+            return std::any_of(artefact.textures.begin(), artefact.textures.end(), same);
+        case BindingSlot::Kind::sampler:
+            return std::any_of(artefact.samplers.begin(), artefact.samplers.end(), same);
+    }
+    return false;
+}
+
+void check_bindings(const Artefact& artefact, const Node& root) {
+    for (const EntryPoint& entry : artefact.entries) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;
+        for (const BindingSlot& slot : entry.bindings) {
+            std::pair place(slot.set, slot.binding);
+            bool again = std::find(seen.begin(), seen.end(), place) != seen.end();
+            seen.push_back(place);
+            if (!again && is_filled(artefact, slot)) continue;
+            root.at("entry_points")
+                .fail(fmt::format("uses binding {} of set {} {}", slot.binding, slot.set,
+                                  again ? "twice" : "for something that the manifest does not describe"));
+        }
+    }
+}
+
+Artefact read_root(const Node& root) {
+    static constexpr std::array<std::string_view, 3> kSides = {"off", "mirror", "flip"};
+    Artefact artefact;
+    artefact.name = root.at("name").text();
+    artefact.two_sided = root.at("two_sided").choice(kSides) != 0;
+    for (const Node& entry : root.at("entry_points").items()) artefact.entries.push_back(read_entry(entry));
+    if (root.has("parameter_block")) artefact.parameters = read_block(root.at("parameter_block"));
+    for (const Node& texture : root.at("textures").items())
+        artefact.textures.push_back(read_texture(texture));
+    for (const Node& sampler : root.at("samplers").items())
+        artefact.samplers.push_back(read_sampler(sampler));
+    check_bindings(artefact, root);
+    return artefact;
+}
+
+}  // namespace
+
+bool is_manifest(std::string_view text) {
+    Json value = Json::parse(text, nullptr, false);
+    return value.is_object() && value.contains("format") && value["format"] == "surfgrad-artefact";
+}
+
+std::optional<Artefact> read_manifest(std::string_view text, std::string_view file, Diags& diags) {
+    if (!is_manifest(text)) {
+        diags.error(Code::manifest_format, fmt::format("{}: not a surfgrad manifest", printable(file)));
+        return std::nullopt;
+    }
+    std::size_t before = diags.error_count();
+    Json value = Json::parse(text, nullptr, false);
+    Node root(&value, "", file, diags);
+    Artefact artefact;
+    if (root.at("version").integer(1, 1) == 1 && diags.error_count() == before) artefact = read_root(root);
+    if (diags.error_count() != before) return std::nullopt;
+    return artefact;
+}
+
+}  // namespace sg::runtime

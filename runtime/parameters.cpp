@@ -1,0 +1,97 @@
+#include "runtime/parameters.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace sg::runtime {
+namespace {
+
+void store(std::vector<std::byte>& block, const Parameter& parameter, std::span<const float> values) {
+    std::memcpy(block.data() + parameter.offset, values.data(), values.size_bytes());
+}
+
+const Parameter* find(const Artefact& artefact, std::string_view name, Diags& diags) {
+    std::vector<std::string_view> names;
+    if (artefact.parameters) {
+        for (const Parameter& parameter : artefact.parameters->parameters) {
+            if (parameter.name == name) return &parameter;
+            names.push_back(parameter.name);
+        }
+    }
+    std::string known = names.empty() ? "it has none" : fmt::format("it has {}", one_of(names));
+    diags.error(Code::unknown_material_parameter,
+                fmt::format("material '{}' has no parameter '{}'{} ({})", printable(artefact.name),
+                            printable(name), did_you_mean(name, names), known));
+    return nullptr;
+}
+
+std::optional<std::vector<float>> values_of(const Parameter& parameter, std::string_view text, Diags& diags) {
+    auto numbers = parse_numbers(text);
+    if (!numbers || numbers->size() != parameter.initial.size()) {
+        diags.error(Code::bad_argument,
+                    fmt::format("parameter '{}' is a {}: expected {} number{} separated by commas, not '{}'",
+                                printable(parameter.name), parameter.type, parameter.initial.size(),
+                                parameter.initial.size() == 1 ? "" : "s", printable(text)));
+        return std::nullopt;
+    }
+    std::vector<float> out;
+    for (double value : *numbers) {
+        if (parameter.range && !(value >= (*parameter.range)[0] && value <= (*parameter.range)[1])) {
+            diags.error(Code::bad_argument,
+                        fmt::format("parameter '{}' must be from {} to {}, not {}", printable(parameter.name),
+                                    (*parameter.range)[0], (*parameter.range)[1], value));
+            return std::nullopt;
+        }
+        out.push_back(static_cast<float>(value));
+    }
+    return out;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+    std::vector<double> out;
+    while (true) {
+        double value = 0;
+        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+        out.push_back(value);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (text.empty()) return out;
+        if (text.front() != ',') return std::nullopt;
+        text.remove_prefix(1);
+    }
+}
+
+std::optional<std::vector<std::byte>> pack_parameters(const Artefact& artefact,
+                                                      std::span<const std::string> settings, Diags& diags) {
+    std::vector<std::byte> block;
+    if (artefact.parameters) {
+        block.resize(artefact.parameters->size);
+        for (const Parameter& parameter : artefact.parameters->parameters)
+            store(block, parameter, parameter.initial);
+    }
+    bool ok = true;
+    for (const std::string& setting : settings) {
+        std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) {
+            diags.error(Code::bad_argument,
+                        fmt::format("'{}' is not of the form NAME=VALUE", printable(setting)));
+            ok = false;
+            continue;
+        }
+        const Parameter* parameter = find(artefact, std::string_view(setting).substr(0, equals), diags);
+        auto values = parameter == nullptr
+                          ? std::nullopt
+                          : values_of(*parameter, std::string_view(setting).substr(equals + 1), diags);
+        if (values) store(block, *parameter, *values);
+        ok = ok && values;
+    }
+    if (!ok) return std::nullopt;
+    return block;
+}
+
+}  // namespace sg::runtime

@@ -1,0 +1,147 @@
+// surfgrad-render as its users meet it: arguments in, text, files and exit code out.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "asset/image.hpp"
+#include "base/files.hpp"
+#include "tests/unit/runtime/sample_artefact.hpp"
+
+namespace sg::runtime {
+namespace {
+
+struct Result {
+    int exit_code = -1;
+    std::string text;  // stdout and stderr
+};
+
+Result run_in(const std::filesystem::path& folder, const std::string& arguments) {
+    std::string command =
+        "cd '" + folder.string() + "' && '" SG_BINARY_DIR "/surfgrad-render' " + arguments + " 2>&1";
+    Result result;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return result;
+    char part[4096];
+    while (std::size_t size = fread(part, 1, sizeof(part), pipe)) result.text.append(part, size);
+    int status = pclose(pipe);
+    if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+    return result;
+}
+
+class Program : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(SG_BINARY_DIR) / "tests" / "program_test" /
+                  testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::remove_all(folder_);
+        ASSERT_EQ(files_.write_all(test::sample_files(folder_)), "");
+    }
+    Result run(const std::string& arguments) { return run_in(folder_, arguments); }
+    asset::Image read(const std::string& name) {
+        Diags diags;
+        auto image = asset::read_image(files_.read(folder_ / name).bytes, name, {}, diags);
+        EXPECT_TRUE(image) << sg::render(diags);
+        return image.value_or(asset::make_image(1, 1, asset::TexelFormat::unorm8));
+    }
+    void expect(const std::string& arguments, int code, const std::string& text) {
+        Result result = run(arguments);
+        EXPECT_EQ(result.text, text);
+        EXPECT_EQ(result.exit_code, code);
+    }
+
+    RealFiles files_;
+    std::filesystem::path folder_;
+};
+
+TEST_F(Program, DrawsAPictureInEachFormatCleanly) {
+    for (std::string name : {"lit.png", "lit.exr", "lit.pfm"}) {
+        expect("sample.json -o " + name + " --size 96x64 --mesh plane --validate", 0, "");
+        asset::Image image = read(name);
+        EXPECT_EQ(image.width, 96u);
+        EXPECT_EQ(image.height, 64u);
+    }
+}
+
+TEST_F(Program, SameArgumentsSameBytes) {
+    expect("sample.json -o a.png --size 64", 0, "");
+    expect("sample.json -o b.png --size 64", 0, "");
+    EXPECT_EQ(files_.read(folder_ / "a.png").bytes, files_.read(folder_ / "b.png").bytes);
+}
+
+TEST_F(Program, SaysWhatIsWrongWithItsArguments) {
+    expect("sample.json", 2, "error: nothing to write: give -o FILE or --dump-inputs FILE [SG2105]\n");
+    expect("-o a.png", 2, "error: no artefact and no material is given; see --help [SG2105]\n");
+    expect("sample.json -o a.gif", 2,
+           "error: --output: expected a file that ends in .png, .exr or .pfm, not 'a.gif' [SG2105]\n");
+    expect("sample.json -o a.png --size 0x10", 2,
+           "error: --size: expected WIDTHxHEIGHT, each from 1 to 16384, not '0x10' [SG2105]\n");
+    expect("sample.json -o a.png --camera 1,2,3:1,2,3", 2,
+           "error: --camera: expected X,Y,Z:X,Y,Z or X,Y,Z:X,Y,Z:FOV (two different points, 0.1 to 170 "
+           "degrees), not "
+           "'1,2,3:1,2,3' [SG2105]\n");
+    expect("sample.json -o a.png --light 0,0,0", 2,
+           "error: --light: expected X,Y,Z, not all 0, not '0,0,0' [SG2105]\n");
+    expect("sample.json -o a.png --mesh sphre", 2,
+           "error: 'sphre' is neither a built-in shape ('plane', 'sphere', 'torus' or 'cube') nor a file, "
+           "did you mean "
+           "'sphere'? [SG2105]\n");
+    expect("sample.json -o a.png --param gain=x", 2,
+           "error: parameter 'gain' is a float: expected 1 number separated by commas, not 'x' [SG2105]\n");
+    expect("sample.json -o a.png --param gain=9", 2,
+           "error: parameter 'gain' must be from 0 to 4, not 9 [SG2105]\n");
+    EXPECT_EQ(run("--no-such-option").exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+}
+
+TEST_F(Program, SaysWhatAMaterialDoesNotHave) {
+    expect("sample.json -o a.png --view base-normals", 1,
+           "error: material 'sample' has no view 'base-normals', did you mean 'base-normal'? (it has 'lit', "
+           "'position', "
+           "'base-normal', 'uv0', 'uv0-derivatives', 'tangent', 'unprojected' or 'facing') [SG2103]\n");
+    expect("sample.json -o a.png --param gian=1", 1,
+           "error: material 'sample' has no parameter 'gian', did you mean 'gain'? (it has 'tint' or 'gain') "
+           "[SG2104]\n");
+}
+
+TEST_F(Program, FindsTexturesBelowTheirRoot) {
+    std::filesystem::rename(folder_ / "pictures", folder_ / "elsewhere");
+    expect("sample.json -o a.png", 1,
+           "error: texture 'paint' is missing: no file 'pictures/paint.png' below '.'; --texture-root names "
+           "another "
+           "folder [SG1301]\n");
+    std::filesystem::create_directory(folder_ / "root");
+    std::filesystem::rename(folder_ / "elsewhere", folder_ / "root/pictures");
+    expect("sample.json -o a.png --size 16 --texture-root root", 0, "");
+}
+
+TEST_F(Program, WarnsOfAChangedTexture) {
+    asset::Image other = asset::make_image(2, 2, asset::TexelFormat::unorm8);
+    ASSERT_EQ(files_.write_all({{folder_ / "pictures/paint.png", asset::png_bytes(other)}}), "");
+    expect("sample.json -o a.png --size 16", 0,
+           "warning: texture 'pictures/paint.png' has changed since the material was compiled [SG2102]\n");
+}
+
+TEST_F(Program, DumpsEveryInputAsALayer) {
+    expect("sample.json --dump-inputs all.exr --size 32", 0, "");
+    Diags diags;
+    auto layers = asset::read_exr_layers(files_.read(folder_ / "all.exr").bytes, "all.exr", diags);
+    ASSERT_TRUE(layers) << sg::render(diags);
+    std::vector<std::string> names;
+    for (const asset::ExrLayer& layer : *layers) names.push_back(layer.name);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"base-normal", "coverage", "facing", "position", "tangent",
+                                               "unprojected", "uv0", "uv0-derivatives"}));
+}
+
+TEST_F(Program, UnknownDevicesAreASystemFailure) {
+    Result result = run("sample.json -o a.png --device nothing-like-this");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_EQ(result.text.substr(0, result.text.find('\n')),
+              "error: no usable device has 'nothing-like-this' in its name [SG2202]");
+}
+
+}  // namespace
+}  // namespace sg::runtime
