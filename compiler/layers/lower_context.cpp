@@ -2,18 +2,21 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 namespace sg::layers {
 
 using ir::Op;
 using ir::ValueId;
 
-// Makes a value outside any layer, once.
+// Makes a value outside any layer, once. Calls nest: the layer comes back when the outermost is done.
 template <class Make>
 ValueId LowerContext::shared(ValueId& slot, Make make) {
     if (slot.valid()) return slot;
-    builder_.set_layer({});
-    slot = make();
+    ir::LayerId before = std::exchange(layer_, ir::LayerId{});
     builder_.set_layer(layer_);
+    slot = make();
+    set_layer(before);
     return slot;
 }
 

@@ -1,0 +1,155 @@
+#include "artefact.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+#include "base/ice.hpp"
+
+namespace sg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "surfgrad-artefact";
+constexpr int kManifestVersion = 1;
+
+std::string_view word(material::Wrap wrap) {
+    constexpr std::string_view kWords[] = {"repeat", "clamp", "mirror"};
+    return kWords[static_cast<std::size_t>(wrap)];
+}
+std::string_view word(material::Filter filter) { return filter == material::Filter::nearest ? "nearest" : "linear"; }
+std::string_view word(material::TwoSided two_sided) {
+    constexpr std::string_view kWords[] = {"off", "mirror", "flip"};
+    return kWords[static_cast<std::size_t>(two_sided)];
+}
+std::string_view word(emit::BindingKind kind) {
+    constexpr std::string_view kWords[] = {"uniform_buffer", "texture", "sampler"};
+    return kWords[static_cast<std::size_t>(kind)];
+}
+
+Json stage_json(const std::string& file, std::string_view stage, const target::Words& words, const std::string& bytes) {
+    return {{"stage", stage}, {"file", file}, {"hash", content_hash(bytes)}, {"instructions", target::instruction_count(words)}};
+}
+
+Json bindings_json(const emit::EntryInterface& interface) {
+    Json out = Json::array();
+    for (const emit::Binding& b : interface.bindings) {
+        Json stages = Json::array();
+        if (b.in_vertex) stages.push_back("vert");
+        if (b.in_fragment) stages.push_back("frag");
+        out.push_back({{"set", b.set}, {"binding", b.binding}, {"kind", word(b.kind)}, {"name", b.name}, {"stages", stages}});
+    }
+    return out;
+}
+
+Json vertex_inputs_json(const emit::EntryInterface& interface) {
+    Json out = Json::array();
+    auto add = [&](const emit::Varying& varying) {
+        emit::VertexInput input = emit::vertex_input(varying);
+        out.push_back({{"name", input.name}, {"location", input.location}, {"format", input.format}});
+    };
+    bool position = !interface.varyings.empty() && interface.varyings.front().source == ir::Op::position;
+    if (!position) add({ir::Op::position, 0});
+    for (const emit::Varying& varying : interface.varyings) add(varying);
+    return out;
+}
+
+Json entry_json(const ArtefactInput& input, const CompiledEntry& entry,
+                std::vector<std::pair<std::string, std::string>>& files) {
+    Json stages = Json::array();
+    for (auto [stage, words] : {std::pair{"vert", &entry.vertex}, std::pair{"frag", &entry.fragment}}) {
+        std::string file = fmt::format("{}.{}.{}.spv", input.stem, entry.entry->name, stage);
+        std::string bytes = target::bytes(*words);
+        stages.push_back(stage_json(file, stage, *words, bytes));
+        files.emplace_back(std::move(file), std::move(bytes));
+    }
+    Json views = Json::array();
+    for (const emit::View& v : entry.shaders.interface.views) {
+        views.push_back({{"name", v.name}, {"number", v.number}, {"components", v.components}, {"kind", v.kind}});
+    }
+    return {{"name", entry.entry->name},
+            {"stages", stages},
+            {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
+            {"bindings", bindings_json(entry.shaders.interface)},
+            {"outputs", Json::array({{{"name", entry.entry->output}, {"location", 0}, {"format", "float4"}}})},
+            {"texture_reads", entry.shaders.texture_reads},
+            {"views", views}};
+}
+
+Json parameter_block_json(const ArtefactInput& input) {
+    Json parameters = Json::array();
+    for (std::size_t i = 0; i < input.material->parameters.size(); ++i) {
+        const material::CheckedParameter& p = input.material->parameters[i];
+        Json fallback = Json::array();
+        for (std::size_t k = 0; k < ir::component_count(material::ir_type(p.type)); ++k) fallback.push_back(p.fallback[k]);
+        Json row = {{"name", p.name},
+                    {"type", material::parameter_type_name(p.type)},
+                    {"offset", input.interface->parameters[i].offset},
+                    {"default", fallback}};
+        if (p.range) row["range"] = {(*p.range)[0], (*p.range)[1]};
+        row["label"] = p.label;
+        row["unit"] = p.unit;
+        parameters.push_back(row);
+    }
+    return {{"set", 1}, {"binding", 0}, {"size", input.interface->block_size}, {"parameters", parameters}};
+}
+
+Json textures_json(const ArtefactInput& input) {
+    Json out = Json::array();
+    for (const emit::TextureSlot& slot : input.interface->textures) {
+        const material::CheckedTexture& t = input.material->textures[slot.texture];
+        out.push_back({{"name", t.name},
+                       {"file", t.file},
+                       {"hash", t.hash},
+                       {"set", 1},
+                       {"binding", slot.binding},
+                       {"sampler_binding", input.interface->samplers[slot.sampler].binding},
+                       {"encoding", t.encoding == ir::TextureEncoding::tangent_normal ? "tangent_normal" : "tangent_normal_xy"},
+                       {"green", t.green_up ? "up" : "down"},
+                       {"zero", t.zero},
+                       {"color_space", "linear"}});
+    }
+    return out;
+}
+
+Json samplers_json(const ArtefactInput& input) {
+    Json out = Json::array();
+    for (const emit::SamplerSlot& slot : input.interface->samplers) {
+        const material::SamplerDecl& s = (*input.samplers)[slot.group];
+        out.push_back({{"set", 1},
+                       {"binding", slot.binding},
+                       {"wrap_s", word(s.wrap_s)},
+                       {"wrap_t", word(s.wrap_t)},
+                       {"filter", word(s.filter)},
+                       {"mip_filter", word(s.mip_filter)},
+                       {"anisotropy", s.anisotropy}});
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string_view generator_name() { return "surfgrad " SURFGRAD_VERSION; }
+
+std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactInput& input) {
+    std::vector<std::pair<std::string, std::string>> files;
+    Json entries = Json::array();
+    for (const CompiledEntry& entry : *input.entries) entries.push_back(entry_json(input, entry, files));
+    Json manifest = {{"format", kFormat},
+                     {"version", kManifestVersion},
+                     {"generator", generator_name()},
+                     {"name", input.material->name},
+                     {"stem", input.stem},
+                     {"source", {{"file", input.source_file}, {"hash", input.source_hash}}},
+                     {"two_sided", word(input.material->two_sided)},
+                     {"entry_points", entries}};
+    if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
+    manifest["textures"] = textures_json(input);
+    manifest["samplers"] = samplers_json(input);
+    files.emplace_back(input.stem + ".json", manifest.dump(2) + "\n");
+    return files;
+}
+
+}  // namespace sg

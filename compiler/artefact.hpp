@@ -1,0 +1,38 @@
+// What is written where: the manifest and the shader files of one material. The fields are documented in
+// compiler/artefacts.md; this is the only file that knows their spelling on the compiler's side.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emit/glsl.hpp"
+#include "material/checked.hpp"
+#include "target/spirv.hpp"
+
+namespace sg {
+
+struct CompiledEntry {
+    const emit::EntryPoint* entry = nullptr;
+    emit::Shaders shaders;
+    target::Words vertex;
+    target::Words fragment;
+};
+
+struct ArtefactInput {
+    std::string stem;         // of every file's name
+    std::string source_file;  // name without folders
+    std::string source_hash;
+    const material::CheckedMaterial* material = nullptr;
+    const emit::MaterialInterface* interface = nullptr;
+    const std::vector<material::SamplerDecl>* samplers = nullptr;  // by group
+    const std::vector<CompiledEntry>* entries = nullptr;
+};
+
+// File name and bytes of everything, the manifest last. Same input, same bytes.
+std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactInput& input);
+
+// "surfgrad 0.1.0"
+std::string_view generator_name();
+
+}  // namespace sg

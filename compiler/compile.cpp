@@ -1,0 +1,97 @@
+#include "compile.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "artefact.hpp"
+#include "base/ice.hpp"
+#include "emit/glsl.hpp"
+#include "json/json.hpp"
+#include "material/checked.hpp"
+#include "opt/optimise.hpp"
+
+namespace sg {
+namespace {
+
+std::optional<material::CheckedMaterial> read_and_check(const CompileRequest& request, Files& files, Diags& diags) {
+    std::optional<json::Document> document = json::parse(request.source, diags);
+    if (!document) return std::nullopt;
+    std::size_t before = diags.error_count();
+    material::Material read = material::read(*document, diags);
+    std::optional<material::CheckedMaterial> checked = material::check(read, files, {request.roots}, diags);
+    return diags.error_count() == before ? std::move(checked) : std::nullopt;
+}
+
+// Textures that sample alike share a sampler: the settings by group, and the group of each texture.
+struct SamplerGroups {
+    std::vector<material::SamplerDecl> settings;
+    std::vector<std::uint32_t> group;
+};
+SamplerGroups group_samplers(const material::CheckedMaterial& material) {
+    SamplerGroups out;
+    for (const material::CheckedTexture& texture : material.textures) {
+        auto it = std::find(out.settings.begin(), out.settings.end(), texture.sampler);
+        out.group.push_back(static_cast<std::uint32_t>(it - out.settings.begin()));
+        if (it == out.settings.end()) out.settings.push_back(texture.sampler);
+    }
+    return out;
+}
+
+target::Words to_spirv(const std::string& text, const std::string& name, target::Stage stage,
+                       const target::ShaderLibrary& library, const target::SpirvOptions& options) {
+    std::string fault;
+    std::optional<target::Words> words = target::compile_glsl(text, name, stage, library, options, fault);
+    if (!words) SG_UNREACHABLE(fmt::format("generated GLSL does not compile: {}\n{}", fault, text));
+    return std::move(*words);
+}
+
+CompiledEntry compile_entry(const CompileRequest& request, const emit::EntryPoint& entry, const ir::Module& module,
+                            const emit::MaterialInterface& interface, const target::ShaderLibrary& library) {
+    emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
+    std::string name = fmt::format("{}.{}", request.stem, entry.name);
+    target::Words vertex = to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
+    target::Words fragment = to_spirv(shaders.fragment, name + ".frag", target::Stage::fragment, library, request.spirv);
+    return {&entry, std::move(shaders), std::move(vertex), std::move(fragment)};
+}
+
+bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
+    const auto& names = request.entries;
+    return names.empty() || std::find(names.begin(), names.end(), entry.name) != names.end();
+}
+
+}  // namespace
+
+bool check_material(const CompileRequest& request, Files& files, Diags& diags) {
+    return read_and_check(request, files, diags).has_value();
+}
+
+std::optional<Compiled> compile_material(const CompileRequest& request, Files& files,
+                                         const target::ShaderLibrary& library, Diags& diags) {
+    std::optional<material::CheckedMaterial> checked = read_and_check(request, files, diags);
+    if (!checked) return std::nullopt;
+
+    ir::Module lowered = material::lower(*checked);
+    ir::Module optimised = request.optimise_ir ? opt::optimise(lowered, request.skipped_rule) : lowered;
+    SamplerGroups samplers = group_samplers(*checked);
+    emit::MaterialInterface interface = emit::material_interface(optimised, samplers.group);
+
+    Compiled out{.ir = ir::print(lowered), .optimised_ir = ir::print(optimised)};
+    std::vector<CompiledEntry> entries;
+    for (const emit::EntryPoint& entry : emit::all_entry_points()) {
+        if (!wanted(request, entry)) continue;
+        CompiledEntry compiled = compile_entry(request, entry, optimised, interface, library);
+        std::string name(entry.name);
+        out.glsl.push_back({name + ".vert", compiled.shaders.vertex});
+        out.glsl.push_back({name + ".frag", compiled.shaders.fragment});
+        out.spirv_assembly.push_back({name + ".vert", target::disassemble(compiled.vertex)});
+        out.spirv_assembly.push_back({name + ".frag", target::disassemble(compiled.fragment)});
+        entries.push_back(std::move(compiled));
+    }
+    std::string file = std::filesystem::path(request.source->name).filename().string();
+    out.files = artefact_files({request.stem, file, content_hash(request.source->text), &*checked, &interface,
+                                &samplers.settings, &entries});
+    return out;
+}
+
+}  // namespace sg

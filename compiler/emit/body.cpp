@@ -1,0 +1,158 @@
+#include "emit/body.hpp"
+
+#include <fmt/core.h>
+
+#include "base/ice.hpp"
+
+namespace sg::emit {
+namespace {
+
+using ir::Attribute;
+using ir::Value;
+using ir::ValueId;
+
+constexpr std::size_t kLongExpression = 90;
+
+// Values that are as short as a name: they are written out at each use.
+bool is_trivial(const Value& value) {
+    switch (value.op) {
+        case ir::Op::position:
+        case ir::Op::vertex_normal:
+        case ir::Op::vertex_tangent:
+        case ir::Op::constant:
+        case ir::Op::parameter:
+        case ir::Op::splat:
+        case ir::Op::color:
+        case ir::Op::zero_surfgrad:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_sum(const Value& value) { return ir::info(value.op).glsl == "{0} + {1}"; }
+bool is_product(const Value& value) { return ir::info(value.op).glsl == "{0} * {1}"; }
+
+void replace_all(std::string& text, std::string_view what, std::string_view with) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+        text.replace(at, what.size(), with);
+    }
+}
+
+}  // namespace
+
+Body::Body(const ir::Module& module, const MaterialInterface& material) : module_(module), material_(material) {
+    count_uses();
+    for (std::size_t i = 0; i < module_.values.size(); ++i) {
+        std::string_view include = ir::info(module_.values[i].op).include;
+        if (!include.empty()) includes_.insert(include);
+        std::string text = expression(module_.values[i]);
+        bool named = wants_name(i, text);
+        expressions_.push_back(std::move(text));
+        if (named) statement(i);
+    }
+    begin_layer({});
+}
+
+void Body::count_uses() {
+    uses_.assign(module_.values.size(), 0);
+    layer_result_.assign(module_.values.size(), false);
+    for (const Value& value : module_.values) {
+        for (ValueId operand : value.operands) {
+            ++uses_[operand.index];
+            const Value& used = module_.at(operand);
+            bool leaves_layer = used.layer.valid() && used.layer != value.layer;
+            if (leaves_layer && used.type == ir::Type::SurfGrad) layer_result_[operand.index] = true;
+        }
+    }
+    for (const ir::OutputBinding& output : module_.outputs) {
+        // The frame is taken apart by its users.
+        uses_[output.value.index] += output.output == ir::Output::frame || output.output == ir::Output::uv ? 2 : 1;
+        if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
+    }
+}
+
+std::string Body::attribute(const Value& value) const {
+    switch (ir::info(value.op).attribute) {
+        case Attribute::Set:
+            return fmt::format("{}", value.index);
+        case Attribute::Parameter:
+            return "sg_material." + material_.parameters[value.index].member;
+        case Attribute::Zero:
+            return float_literal(value.number[0]);
+        case Attribute::Number: {
+            std::size_t count = ir::component_count(value.type);
+            if (count == 1) return float_literal(value.number[0]);
+            bool same = true;
+            std::string list;
+            for (std::size_t i = 0; i < count; ++i) {
+                same = same && value.number[i] == value.number[0];
+                list += (i > 0 ? ", " : "") + float_literal(value.number[i]);
+            }
+            return fmt::format("{}({})", ir::info(value.type).glsl, same ? float_literal(value.number[0]) : list);
+        }
+        case Attribute::Texture:
+        case Attribute::None:
+            break;
+    }
+    return "";
+}
+
+// Parentheses where the tree would not survive being printed without them.
+std::string Body::operand_of(const Value& parent, std::size_t index) const {
+    const Value& child = module_.at(parent.operands[index]);
+    const std::string& text = expressions_[parent.operands[index].index];
+    bool binary_text = (is_sum(child) || is_product(child)) && text.find(' ') != std::string::npos;
+    bool parent_binary = is_sum(parent) || is_product(parent);
+    bool needed = binary_text && parent_binary && ((is_product(parent) && is_sum(child)) || (index == 1 && !(is_sum(parent) && is_product(child))));
+    return needed ? "(" + text + ")" : text;
+}
+
+std::string Body::expression(const Value& value) const {
+    std::string text(ir::info(value.op).glsl);
+    replace_all(text, "{a}", attribute(value));
+    if (ir::info(value.op).attribute == Attribute::Texture) {
+        const TextureSlot* slot = material_.texture(value.index);
+        SG_ASSERT(slot != nullptr);
+        replace_all(text, "{t}", slot->variable);
+        replace_all(text, "{s}", material_.samplers[slot->sampler].variable);
+    }
+    for (std::size_t i = 0; i < value.operands.size(); ++i) {
+        replace_all(text, fmt::format("{{{}}}", i), operand_of(value, i));
+    }
+    return text;
+}
+
+bool Body::wants_name(std::size_t i, const std::string& expression) const {
+    const Value& value = module_.values[i];
+    if (is_trivial(value)) return false;
+    return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame || expression.size() > kLongExpression;
+}
+
+std::string Body::wanted_name(std::size_t i) const {
+    const Value& value = module_.values[i];
+    std::string_view hint = value.name.empty() ? ir::info(value.op).name : std::string_view(value.name);
+    if (!value.layer.valid()) return std::string(hint);
+    const std::string& id = module_.layers[value.layer.index].id;
+    return layer_result_[i] ? id : fmt::format("{}_{}", id, hint);
+}
+
+// A blank line and a comment in front of each layer's lines, a blank line behind them.
+void Body::begin_layer(ir::LayerId layer) {
+    if (layer == current_layer_) return;
+    current_layer_ = layer;
+    if (!text_.empty()) text_ += "\n";
+    if (!layer.valid()) return;
+    const ir::Layer& info = module_.layers[layer.index];
+    text_ += fmt::format("    // {}: {}\n", comment_text(info.id), info.kind);
+}
+
+void Body::statement(std::size_t i) {
+    const Value& value = module_.values[i];
+    begin_layer(value.layer);
+    std::string name = names_.unique("m_", wanted_name(i));
+    text_ += fmt::format("    {} {} = {};\n", ir::info(value.type).glsl, name, expressions_[i]);
+    expressions_[i] = name;
+}
+
+}  // namespace sg::emit

@@ -1,0 +1,46 @@
+// The lines of main() that compute a module's values.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emit/interface.hpp"
+#include "emit/names.hpp"
+#include "ir/ir.hpp"
+
+namespace sg::emit {
+
+class Body {
+public:
+    Body(const ir::Module& module, const MaterialInterface& material);
+
+    // The statements, each on its line, indented by four blanks.
+    [[nodiscard]] const std::string& text() const { return text_; }
+    // How a value is written where it is used.
+    [[nodiscard]] std::string operand(ir::ValueId id) const { return expressions_[id.index]; }
+    [[nodiscard]] const std::set<std::string_view>& includes() const { return includes_; }
+
+private:
+    [[nodiscard]] std::string expression(const ir::Value& value) const;
+    [[nodiscard]] std::string attribute(const ir::Value& value) const;
+    [[nodiscard]] std::string operand_of(const ir::Value& parent, std::size_t index) const;
+    [[nodiscard]] bool wants_name(std::size_t i, const std::string& expression) const;
+    [[nodiscard]] std::string wanted_name(std::size_t i) const;
+    void count_uses();
+    void begin_layer(ir::LayerId layer);
+    void statement(std::size_t i);
+
+    const ir::Module& module_;
+    const MaterialInterface& material_;
+    Names names_;
+    std::vector<std::uint32_t> uses_;
+    std::vector<bool> layer_result_;
+    std::vector<std::string> expressions_;
+    std::set<std::string_view> includes_;
+    ir::LayerId current_layer_;
+    std::string text_;
+};
+
+}  // namespace sg::emit

@@ -1,0 +1,206 @@
+#include "emit/glsl.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "base/ice.hpp"
+#include "emit/body.hpp"
+
+namespace sg::emit {
+namespace {
+
+using ir::Op;
+using ir::Output;
+
+std::string_view varying_name(const Varying& varying) { return vertex_input(varying).name; }
+
+std::vector<Varying> varyings_of(const ir::Module& module) {
+    std::vector<Varying> out;
+    for (const ir::Value& value : module.values) {
+        bool source = value.op == Op::position || value.op == Op::vertex_normal || value.op == Op::vertex_tangent ||
+                      value.op == Op::uv_set;
+        if (source) out.push_back({value.op, value.op == Op::uv_set ? value.index : 0});
+    }
+    std::sort(out.begin(), out.end(),
+              [](const Varying& a, const Varying& b) { return varying_location(a) < varying_location(b); });
+    auto same = [](const Varying& a, const Varying& b) { return varying_location(a) == varying_location(b); };
+    out.erase(std::unique(out.begin(), out.end(), same), out.end());
+    return out;
+}
+
+std::string head(const ir::Module& module, std::string_view stage, std::string_view entry) {
+    return fmt::format(
+        "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
+        "// {}: {} shader of the entry point '{}', made by surfgradc.\n\n",
+        comment_text(module.name), stage, entry);
+}
+
+std::string include_lines(const std::set<std::string_view>& includes) {
+    std::string out;
+    for (std::string_view include : includes) out += fmt::format("#include \"{}\"\n", include);
+    return out + "\n";
+}
+
+// ---- vertex ----
+
+std::string vertex_text(const ir::Module& module, const EntryPoint& entry, const std::vector<Varying>& varyings) {
+    std::string out = head(module, "vertex", entry.name) + "#include \"stage/vertex.glsl\"\n\n";
+    std::vector<Varying> inputs = varyings;
+    bool hands_position = !inputs.empty() && inputs.front().source == Op::position;
+    if (!hands_position) inputs.insert(inputs.begin(), {Op::position, 0});
+    for (const Varying& v : inputs) {
+        VertexInput input = vertex_input(v);
+        out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type, input.name);
+    }
+    for (const Varying& v : varyings) {
+        out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v), vertex_input(v).glsl_type,
+                           varying_name(v));
+    }
+    out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
+    for (const Varying& v : varyings) {
+        std::string name(varying_name(v));
+        std::string value = fmt::format("sg_stage_{0}(sg_vertex_{0})", name);
+        if (v.source == Op::position) value = "sg_relative_position";
+        if (v.source == Op::uv_set) value = "sg_vertex_" + name;
+        out += fmt::format("    sg_out_{} = {};\n", name, value);
+    }
+    return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
+}
+
+// ---- fragment ----
+
+std::string glsl_type(ir::Type type) { return std::string(ir::info(type).glsl); }
+
+// `used_parameters`: whether the block is read at all.
+std::string material_declarations(const ir::Module& module, const MaterialInterface& material, bool used_parameters,
+                                  const std::vector<bool>& sampled) {
+    std::string out;
+    if (used_parameters) {
+        out += "layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {\n";
+        for (std::size_t i = 0; i < material.parameters.size(); ++i) {
+            out += fmt::format("    {} {};\n", glsl_type(module.parameters[i].type), material.parameters[i].member);
+        }
+        out += "} sg_material;\n";
+    }
+    std::vector<bool> samplers(material.samplers.size(), false);
+    for (const TextureSlot& slot : material.textures) {
+        if (!sampled[slot.texture]) continue;
+        samplers[slot.sampler] = true;
+        out += fmt::format("layout(set = 1, binding = {}) uniform texture2D {};\n", slot.binding, slot.variable);
+    }
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        if (!samplers[i]) continue;
+        out += fmt::format("layout(set = 1, binding = {}) uniform sampler {};\n", material.samplers[i].binding,
+                           material.samplers[i].variable);
+    }
+    return out;
+}
+
+void debug_view(std::string& out, EntryInterface& interface, std::string name, std::uint32_t components,
+                std::string_view kind, const std::string& value) {
+    auto number = static_cast<std::uint32_t>(interface.views.size());
+    out += fmt::format("    sg_shown = sg_stage_select(sg_shown, {}.0, {});  // {}\n", number, value, name);
+    interface.views.push_back({std::move(name), number, components, kind});
+}
+
+std::string debug_tail(const ir::Module& module, const Body& body, EntryInterface& interface) {
+    std::string out = "    vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);\n";
+    std::string frame = body.operand(module.output(Output::frame));
+    debug_view(out, interface, "position", 3, "position", frame + ".position");
+    debug_view(out, interface, "base-normal", 3, "direction", frame + ".normal");
+    debug_view(out, interface, "dpdx", 3, "vector", frame + ".dpdx");
+    debug_view(out, interface, "dpdy", 3, "vector", frame + ".dpdy");
+    debug_view(out, interface, "gradient", 3, "vector", body.operand(module.output(Output::gradient)));
+    debug_view(out, interface, "normal", 3, "direction", body.operand(module.output(Output::normal)));
+    for (const ir::OutputBinding& output : module.outputs) {
+        std::string value = body.operand(output.value);
+        if (output.output == Output::basis_vertex) {
+            debug_view(out, interface, "tangent", 3, "vector", value + ".tangent");
+            debug_view(out, interface, "bitangent", 3, "vector", value + ".bitangent");
+        } else if (output.output == Output::uv) {
+            debug_view(out, interface, fmt::format("uv{}", output.set), 2, "uv", fmt::format("vec3({}.st, 0.0)", value));
+            debug_view(out, interface, fmt::format("uv{}-derivatives", output.set), 4, "vector",
+                       fmt::format("vec4({0}.dx, {0}.dy)", value));
+        }
+    }
+    return out + "    sg_out_value = sg_shown;\n";
+}
+
+std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body, EntryInterface& interface) {
+    auto operand = [&](Output output) { return body.operand(module.output(output)); };
+    if (entry.name == "debug") return debug_tail(module, body, interface);
+    if (entry.name == "normal") return fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
+    SG_ASSERT(entry.name == "forward");
+    return fmt::format(
+        "    SgSurface sg_surface = SgSurface({}, {}, {});\n"
+        "    sg_out_color = sg_stage_forward(sg_surface, sg_in_position, {});\n",
+        operand(Output::base_color), operand(Output::metallic), operand(Output::roughness), operand(Output::normal));
+}
+
+struct Used {
+    bool parameters = false;
+    std::vector<bool> textures;
+    std::uint32_t texture_reads = 0;
+};
+Used used_by(const ir::Module& module) {
+    Used used;
+    used.textures.assign(module.textures.size(), false);
+    for (const ir::Value& value : module.values) {
+        ir::Attribute attribute = ir::info(value.op).attribute;
+        if (attribute == ir::Attribute::Parameter) used.parameters = true;
+        if (attribute == ir::Attribute::Texture) {
+            used.textures[value.index] = true;
+            ++used.texture_reads;
+        }
+    }
+    return used;
+}
+
+std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& module, const MaterialInterface& material,
+                                 const Used& used) {
+    std::vector<Binding> out{{0, 0, BindingKind::uniform_buffer, "SgFrameBlock", true, entry.reads_frame_block}};
+    if (used.parameters) out.push_back({1, 0, BindingKind::uniform_buffer, "SgMaterialBlock", false, true});
+    std::vector<bool> samplers(material.samplers.size(), false);
+    for (const TextureSlot& slot : material.textures) {
+        if (!used.textures[slot.texture]) continue;
+        samplers[slot.sampler] = true;
+        out.push_back({1, slot.binding, BindingKind::texture, module.textures[slot.texture].name, false, true});
+    }
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        if (samplers[i]) out.push_back({1, material.samplers[i].binding, BindingKind::sampler, material.samplers[i].variable, false, true});
+    }
+    out.push_back({2, 0, BindingKind::uniform_buffer, "SgObjectBlock", true, false});
+    return out;
+}
+
+}  // namespace
+
+Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material) {
+    Shaders out;
+    Body body(module, material);
+    Used used = used_by(module);
+    out.interface.varyings = varyings_of(module);
+    if (entry.name == "forward" &&
+        std::none_of(out.interface.varyings.begin(), out.interface.varyings.end(), [](const Varying& v) { return v.source == Op::position; })) {
+        out.interface.varyings.insert(out.interface.varyings.begin(), {Op::position, 0});  // lighting needs it
+    }
+    out.interface.bindings = bindings_of(entry, module, material, used);
+    out.texture_reads = used.texture_reads;
+    std::string last = tail(module, entry, body, out.interface);
+
+    std::set<std::string_view> includes = body.includes();
+    includes.insert(entry.includes.begin(), entry.includes.end());
+    std::string text = head(module, "fragment", entry.name) + include_lines(includes);
+    std::string declarations = material_declarations(module, material, used.parameters, used.textures);
+    if (!declarations.empty()) text += declarations + "\n";
+    for (const Varying& v : out.interface.varyings) {
+        text += fmt::format("layout(location = {}) in {} sg_in_{};\n", varying_location(v), vertex_input(v).glsl_type, varying_name(v));
+    }
+    text += fmt::format("layout(location = 0) out vec4 sg_out_{};\n\nvoid main() {{\n{}{}}}\n", entry.output, body.text(), last);
+    out.fragment = std::move(text);
+    out.vertex = vertex_text(module, entry, out.interface.varyings);
+    return out;
+}
+
+}  // namespace sg::emit

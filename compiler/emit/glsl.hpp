@@ -1,0 +1,36 @@
+// From a module to GLSL 4.50 for Vulkan that reads as if written by hand: includes, declarations, main; a comment
+// and a named local per layer; nothing that is used once gets a name unless the line would grow too long.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "emit/interface.hpp"
+#include "ir/ir.hpp"
+
+namespace sg::emit {
+
+// An entry point: one row per row of this table (glsl.cpp).
+struct EntryPoint {
+    std::string_view name;
+    std::string_view doc;
+    std::string_view output;  // what the one output at location 0 is called in the manifest
+    std::vector<ir::Output> outputs;
+    std::vector<std::string_view> includes;  // that the entry's own lines need
+    bool reads_frame_block = false;          // in the fragment stage
+};
+std::span<const EntryPoint> all_entry_points();
+const EntryPoint* find_entry_point(std::string_view name);
+
+struct Shaders {
+    std::string vertex;
+    std::string fragment;
+    EntryInterface interface;
+    std::uint32_t texture_reads = 0;
+};
+
+// `module` holds the outputs of the entry point alone (opt::select_outputs) and is verified.
+Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material);
+
+}  // namespace sg::emit

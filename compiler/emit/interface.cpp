@@ -1,0 +1,90 @@
+#include "emit/interface.hpp"
+
+#include <algorithm>
+
+#include "base/ice.hpp"
+#include "emit/names.hpp"
+
+namespace sg::emit {
+namespace {
+
+struct Std140 {
+    std::uint32_t size;
+    std::uint32_t alignment;
+};
+Std140 std140(ir::Type type) {
+    switch (ir::component_count(type)) {
+        case 1:
+            return {4, 4};
+        case 2:
+            return {8, 8};
+        case 3:
+            return {12, 16};
+        case 4:
+            return {16, 16};
+        default:
+            SG_UNREACHABLE("a parameter of a type that no block holds");
+    }
+}
+
+std::uint32_t align(std::uint32_t value, std::uint32_t to) { return (value + to - 1) / to * to; }
+
+}  // namespace
+
+const TextureSlot* MaterialInterface::texture(std::uint32_t index) const {
+    auto it = std::find_if(textures.begin(), textures.end(), [&](const TextureSlot& t) { return t.texture == index; });
+    return it == textures.end() ? nullptr : &*it;
+}
+
+MaterialInterface material_interface(const ir::Module& module, std::span<const std::uint32_t> sampler_group) {
+    MaterialInterface out;
+    Names members, variables;
+    std::uint32_t offset = 0;
+    for (const ir::Parameter& parameter : module.parameters) {
+        Std140 layout = std140(parameter.type);
+        offset = align(offset, layout.alignment);
+        out.parameters.push_back({members.unique("p_", parameter.name), parameter.type, offset});
+        offset += layout.size;
+    }
+    out.block_size = align(offset, 16);
+
+    std::vector<bool> sampled(module.textures.size(), false);
+    for (const ir::Value& value : module.values) {
+        if (ir::info(value.op).attribute == ir::Attribute::Texture) sampled[value.index] = true;
+    }
+    std::uint32_t binding = 1;
+    for (std::uint32_t i = 0; i < module.textures.size(); ++i) {
+        if (sampled[i]) out.textures.push_back({variables.unique("t_", module.textures[i].name), i, binding++, 0});
+    }
+    for (TextureSlot& slot : out.textures) {
+        std::uint32_t group = sampler_group[slot.texture];
+        auto it = std::find_if(out.samplers.begin(), out.samplers.end(), [&](const SamplerSlot& s) { return s.group == group; });
+        if (it == out.samplers.end()) {
+            out.samplers.push_back({variables.unique("s_", std::to_string(out.samplers.size())), group, binding++});
+            it = out.samplers.end() - 1;
+        }
+        slot.sampler = static_cast<std::uint32_t>(it - out.samplers.begin());
+    }
+    return out;
+}
+
+VertexInput vertex_input(const Varying& varying) {
+    static constexpr std::string_view kUvNames[] = {"uv0", "uv1", "uv2", "uv3", "uv4", "uv5", "uv6", "uv7"};
+    switch (varying.source) {
+        case ir::Op::position:
+            return {"position", "float3", "vec3", 0};
+        case ir::Op::vertex_normal:
+            return {"normal", "float3", "vec3", 1};
+        case ir::Op::vertex_tangent:
+            return {"tangent", "float4", "vec4", 2};
+        case ir::Op::uv_set:
+            return {kUvNames[varying.set], "float2", "vec2", 4 + varying.set};
+        default:
+            SG_UNREACHABLE("an operation that reads no vertex attribute");
+    }
+}
+
+// The same numbers as the vertex attributes: one table to remember.
+std::uint32_t varying_location(const Varying& varying) { return vertex_input(varying).location; }
+
+}  // namespace sg::emit

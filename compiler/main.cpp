@@ -1,0 +1,218 @@
+// surfgradc: the command line. Arguments, one call, diagnostics, exit code:
+// 0 fine, 1 the input is wrong, 2 the command line is wrong, 3 our own bug, 4 the system failed.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <iterator>
+
+#include "artefact.hpp"
+#include "base/ice.hpp"
+#include "compile.hpp"
+#include "emit/glsl.hpp"
+#include "layers/layer_kind.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kExitUsage = 2;
+
+struct Options {
+    std::vector<std::string> files;
+    std::string out_dir;
+    std::vector<std::string> roots;
+    std::vector<std::string> entries;
+    std::vector<std::string> emit;
+    std::string name;
+    std::string diagnostics = "human";
+    std::string color = "auto";
+    bool o0 = false, os = false, o = false, debug = false;
+};
+
+bool use_color(const Options& options) {
+    return options.color == "always" || (options.color == "auto" && ::isatty(STDERR_FILENO) == 1);
+}
+
+void print_diags(sg::Diags& diags, const Options& options) {
+    diags.sort();
+    auto format = options.diagnostics == "json" ? sg::DiagFormat::json : sg::DiagFormat::human;
+    std::cerr << sg::render(diags, format, use_color(options));
+}
+
+// The text of a file, or of standard input for "-".
+sg::SourcePtr read_source(const std::string& file, const Options& options, sg::Files& files, sg::Diags& diags) {
+    if (file == "-") {
+        std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+        return std::make_shared<sg::Source>(sg::Source{options.name.empty() ? "stdin" : options.name, std::move(text)});
+    }
+    std::optional<std::string> text = sg::read_or_report(files, file, diags);
+    if (!text) return nullptr;
+    return std::make_shared<sg::Source>(sg::Source{file, std::move(*text)});
+}
+
+sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, const Options& options) {
+    sg::CompileRequest request{.source = std::move(source)};
+    fs::path path = file == "-" ? fs::path(request.source->name) : fs::path(file);
+    request.stem = path.stem().string();
+    request.roots.push_back(file == "-" ? fs::path(".") : path.parent_path());
+    for (const std::string& root : options.roots) request.roots.emplace_back(root);
+    request.entries = options.entries;
+    using enum sg::target::Optimise;
+    request.spirv.optimise = options.o0 ? none : options.os ? size : speed;
+    request.spirv.debug_info = options.debug;
+    request.optimise_ir = !options.o0;
+    return request;
+}
+
+using FileList = std::vector<std::pair<fs::path, std::string>>;
+
+// What --emit asks for, beside the artefact.
+void add_emitted(const sg::Compiled& compiled, const std::string& stem, const Options& options, FileList& out) {
+    fs::path dir(options.out_dir);
+    for (const std::string& kind : options.emit) {
+        if (kind == "ir") out.emplace_back(dir / (stem + ".ir"), compiled.ir);
+        if (kind == "opt-ir") out.emplace_back(dir / (stem + ".opt.ir"), compiled.optimised_ir);
+        if (kind == "glsl") {
+            for (const sg::NamedText& t : compiled.glsl) out.emplace_back(dir / fmt::format("{}.{}.glsl", stem, t.name), t.text);
+        }
+        if (kind == "spvasm") {
+            for (const sg::NamedText& t : compiled.spirv_assembly) {
+                out.emplace_back(dir / fmt::format("{}.{}.spvasm", stem, t.name), t.text);
+            }
+        }
+    }
+}
+
+int run_compile(const Options& options, bool check_only) {
+    sg::RealFiles files;
+    sg::target::ShaderLibrary library = sg::target::embedded_library();
+    sg::Diags diags;
+    for (const std::string& file : options.files) {
+        sg::SourcePtr source = read_source(file, options, files, diags);
+        if (!source) continue;
+        sg::CompileRequest request = make_request(source, file, options);
+        if (check_only) {
+            sg::check_material(request, files, diags);
+            continue;
+        }
+        std::optional<sg::Compiled> compiled = sg::compile_material(request, files, library, diags);
+        if (!compiled) continue;
+        FileList out;
+        add_emitted(*compiled, request.stem, options, out);
+        for (auto& [name, bytes] : compiled->files) out.emplace_back(fs::path(options.out_dir) / name, std::move(bytes));
+        sg::write_or_report(files, out, diags);
+    }
+    print_diags(diags, options);
+    return diags.exit_code();
+}
+
+std::string range_text(const sg::layers::Field& field) {
+    using sg::layers::FieldKind;
+    switch (field.kind) {
+        case FieldKind::texture:
+            return "name of a texture";
+        case FieldKind::uv_set:
+            return fmt::format("0 to 7, default {}", field.fallback);
+        case FieldKind::choice:
+            return fmt::format("{}, default '{}'", sg::one_of(field.choices), field.choices[static_cast<std::size_t>(field.fallback)]);
+        case FieldKind::number:
+            return fmt::format("{} to {} or \"$parameter\", default {}", field.minimum, field.maximum, field.fallback);
+        case FieldKind::pair:
+            return fmt::format("{} to {}, one or two, or \"$parameter\", default {}", field.minimum, field.maximum, field.fallback);
+    }
+    SG_UNREACHABLE("a field of no kind");
+}
+
+int run_kinds() {
+    for (const sg::layers::LayerKind* kind : sg::layers::all_kinds()) {
+        fmt::print("{}: {}\n", kind->name, kind->doc);
+        for (const sg::layers::Field& field : kind->fields) {
+            fmt::print("  {:<10} {}{}{}\n             {}\n", field.name, range_text(field), field.unit.empty() ? "" : "; ",
+                       field.unit, (field.required ? "required: " : "") + std::string(field.doc));
+        }
+    }
+    return 0;
+}
+
+int run_codes() {
+    for (const sg::CodeInfo& info : sg::all_codes()) {
+        fmt::print("SG{}: {}\n  {}\n", static_cast<int>(info.code), info.cause, info.mend);
+    }
+    return 0;
+}
+
+void add_input_options(CLI::App& command, Options& options) {
+    command.add_option("FILE", options.files, "material files; - reads standard input")->required();
+    command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")->type_name("DIR");
+    command.add_option("--name", options.name, "name of standard input in messages and of its files");
+    command.add_option("--diagnostics", options.diagnostics, "form of messages")
+        ->check(CLI::IsMember({"human", "json"}))
+        ->capture_default_str();
+    command.add_option("--color", options.color, "colour in messages")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->capture_default_str();
+}
+
+void add_compile_options(CLI::App& command, Options& options) {
+    std::vector<std::string> entries;
+    for (const sg::emit::EntryPoint& entry : sg::emit::all_entry_points()) entries.emplace_back(entry.name);
+    command.add_option("-o", options.out_dir, "folder of the artefact")->required()->type_name("DIR");
+    command.add_option("--entry", options.entries, "entry points to compile, all by default")
+        ->delimiter(',')
+        ->check(CLI::IsMember(entries));
+    command.add_option("--emit", options.emit, "further texts to write: ir, opt-ir, glsl, spvasm")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"ir", "opt-ir", "glsl", "spvasm"}));
+    auto* o = command.add_flag("-O", options.o, "optimise (default)");
+    auto* o0 = command.add_flag("--O0", options.o0, "do not optimise, neither the gradients nor the SPIR-V (also -O0)");
+    auto* os = command.add_flag("--Os", options.os, "as -O, and strip names from the SPIR-V (also -Os)");
+    o0->excludes(os)->excludes(o);
+    os->excludes(o);
+    command.add_flag("-g", options.debug, "keep sources and lines in the SPIR-V");
+}
+
+// Compilers spell these with one dash, which the argument parser would take for bundled flags.
+std::vector<std::string> spelled_out(int argc, char** argv) {
+    std::vector<std::string> out;
+    for (int i = argc - 1; i > 0; --i) {  // CLI11 takes them last first
+        std::string word = argv[i];
+        if (word == "-O0" || word == "-Os") word = "-" + word;
+        out.push_back(std::move(word));
+    }
+    return out;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"surfgradc: compiles material graphs of bump layers to SPIR-V"};
+    app.set_version_flag("--version", std::string(sg::generator_name()));
+    app.require_subcommand(1);
+    Options options;
+    CLI::App* compile = app.add_subcommand("compile", "compile materials into an artefact folder");
+    add_input_options(*compile, options);
+    add_compile_options(*compile, options);
+    CLI::App* check = app.add_subcommand("check", "report what is wrong with materials, write nothing");
+    add_input_options(*check, options);
+    CLI::App* kinds = app.add_subcommand("kinds", "list the layer kinds and their fields");
+    app.add_subcommand("codes", "list the diagnostic codes with cause and mend");
+    try {
+        app.parse(spelled_out(argc, argv));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kExitUsage;
+    }
+    if (compile->parsed()) return run_compile(options, false);
+    if (check->parsed()) return run_compile(options, true);
+    return kinds->parsed() ? run_kinds() : run_codes();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        sg::internal_error(__FILE__, __LINE__, error.what());
+    }
+}

@@ -1,0 +1,51 @@
+// The optimiser: named rules on the algebra of gradients, applied while the module is rebuilt once from first to
+// last value, so that the cost is linear. Equal values become one; what no output needs is dropped at the end.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "ir/ir.hpp"
+
+namespace sg::opt {
+
+class Rewriter;
+
+// A rule looks at one value whose operands are already rewritten. It gives the value to use instead, or an invalid
+// id where it does not apply. What it gives must be equal for every input, up to rounding.
+struct Rule {
+    std::string_view name;
+    std::string_view reason;
+    ir::Op op;  // the operation that it is tried on
+    ir::ValueId (*apply)(Rewriter& rewriter, const ir::Value& value);
+};
+std::span<const Rule> all_rules();
+
+class Rewriter {
+public:
+    // `skipped` names a rule that is left out, to measure what it is worth; "" for none.
+    Rewriter(const ir::Module& declarations, std::string_view skipped);
+    // The id of this value in the new module: by a rule, an equal value, or a new one.
+    ir::ValueId add(ir::Value value);
+    ir::ValueId add(ir::Op op, std::vector<ir::ValueId> operands, const ir::Value& like);
+    [[nodiscard]] const ir::Value& at(ir::ValueId id) const { return module_.at(id); }
+    // The operand's value if it is of this operation, else null.
+    [[nodiscard]] const ir::Value* operand(const ir::Value& value, std::size_t index, ir::Op op) const;
+    ir::Module take() { return std::move(module_); }
+
+private:
+    ir::Module module_;
+    std::string_view skipped_;
+    std::vector<std::vector<std::uint32_t>> buckets_;
+    [[nodiscard]] std::size_t hash(const ir::Value& value) const;
+    void grow();
+};
+
+// All rules, merging of equal values, dropping of unused ones.
+ir::Module optimise(const ir::Module& module, std::string_view skipped_rule = "");
+
+// The module with these outputs alone and only the values that they need.
+ir::Module select_outputs(const ir::Module& module, std::span<const ir::Output> outputs);
+
+}  // namespace sg::opt

@@ -1,0 +1,140 @@
+#include <bit>
+
+#include "base/ice.hpp"
+#include "opt/optimise.hpp"
+
+namespace sg::opt {
+
+using ir::Op;
+using ir::Value;
+using ir::ValueId;
+
+namespace {
+
+bool equal(const Value& a, const Value& b) {
+    return a.op == b.op && a.type == b.type && a.operands == b.operands && a.index == b.index && a.number == b.number;
+}
+
+}  // namespace
+
+Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped) : skipped_(skipped), buckets_(64) {
+    module_.name = declarations.name;
+    module_.textures = declarations.textures;
+    module_.parameters = declarations.parameters;
+    module_.layers = declarations.layers;
+}
+
+const Value* Rewriter::operand(const Value& value, std::size_t index, Op op) const {
+    const Value& found = module_.at(value.operands[index]);
+    return found.op == op ? &found : nullptr;
+}
+
+std::size_t Rewriter::hash(const Value& value) const {
+    std::uint64_t h = static_cast<std::uint64_t>(value.op) * 0x9E3779B97F4A7C15u + value.index;
+    auto mix = [&h](std::uint64_t x) { h = (h ^ x) * 0xFF51AFD7ED558CCDu + (h >> 29u); };
+    for (ValueId id : value.operands) mix(id.index);
+    for (double n : value.number) mix(std::bit_cast<std::uint64_t>(n));
+    return h ^ (h >> 32u);
+}
+
+void Rewriter::grow() {
+    std::vector<std::vector<std::uint32_t>> bigger(buckets_.size() * 2);
+    for (const auto& bucket : buckets_) {
+        for (std::uint32_t i : bucket) bigger[hash(module_.values[i]) % bigger.size()].push_back(i);
+    }
+    buckets_ = std::move(bigger);
+}
+
+ValueId Rewriter::add(Value value) {
+    for (const Rule& rule : all_rules()) {
+        if (rule.op != value.op || rule.name == skipped_) continue;
+        if (ValueId better = rule.apply(*this, value); better.valid()) return better;
+    }
+    if (module_.values.size() > buckets_.size()) grow();
+    std::vector<std::uint32_t>& bucket = buckets_[hash(value) % buckets_.size()];
+    for (std::uint32_t i : bucket) {
+        if (equal(module_.values[i], value)) return {i};
+    }
+    auto index = static_cast<std::uint32_t>(module_.values.size());
+    bucket.push_back(index);
+    module_.values.push_back(std::move(value));
+    return {index};
+}
+
+ValueId Rewriter::add(Op op, std::vector<ValueId> operands, const Value& like) {
+    return add(Value{.op = op,
+                     .type = info(op).result,
+                     .operands = std::move(operands),
+                     .name = like.name,
+                     .layer = like.layer});
+}
+
+namespace {
+
+// Drops values that no output needs and closes the gaps.
+ir::Module compact(ir::Module module) {
+    std::vector<bool> live(module.values.size(), false);
+    for (const ir::OutputBinding& output : module.outputs) live[output.value.index] = true;
+    for (std::size_t i = module.values.size(); i-- > 0;) {
+        if (!live[i]) continue;
+        for (ValueId operand : module.values[i].operands) live[operand.index] = true;
+    }
+    std::vector<ValueId> renamed(module.values.size());
+    std::vector<Value> kept;
+    for (std::size_t i = 0; i < module.values.size(); ++i) {
+        if (!live[i]) continue;
+        Value value = std::move(module.values[i]);
+        for (ValueId& operand : value.operands) operand = renamed[operand.index];
+        renamed[i] = {static_cast<std::uint32_t>(kept.size())};
+        kept.push_back(std::move(value));
+    }
+    for (ir::OutputBinding& output : module.outputs) output.value = renamed[output.value.index];
+    module.values = std::move(kept);
+    return module;
+}
+
+}  // namespace
+
+ir::Module optimise(const ir::Module& module, std::string_view skipped_rule) {
+    Rewriter rewriter(module, skipped_rule);
+    std::vector<ValueId> renamed;
+    for (Value value : module.values) {
+        for (ValueId& operand : value.operands) operand = renamed[operand.index];
+        renamed.push_back(rewriter.add(std::move(value)));
+    }
+    ir::Module out = rewriter.take();
+    out.outputs = module.outputs;
+    for (ir::OutputBinding& output : out.outputs) output.value = renamed[output.value.index];
+    // A uv set and the vertex tangents are worth showing only while some layer needs them.
+    auto only_shown = [&](const ir::OutputBinding& o) {
+        return o.output == ir::Output::uv || o.output == ir::Output::basis_vertex;
+    };
+    ir::Module needed = out;
+    std::erase_if(needed.outputs, only_shown);
+    needed = compact(std::move(needed));
+    auto used = [&](const ir::OutputBinding& o) {
+        for (const Value& value : needed.values) {
+            if (o.output == ir::Output::uv && value.op == Op::uv_set && value.index == o.set) return true;
+            if (o.output == ir::Output::basis_vertex && value.op == Op::basis_vertex) return true;
+        }
+        return false;
+    };
+    std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
+    out = compact(std::move(out));
+    std::string faults = ir::verify(out);
+    if (!faults.empty()) SG_UNREACHABLE("optimising made a bad module:\n" + faults);
+    return out;
+}
+
+ir::Module select_outputs(const ir::Module& module, std::span<const ir::Output> outputs) {
+    ir::Module out = module;
+    std::erase_if(out.outputs, [&](const ir::OutputBinding& o) {
+        for (ir::Output wanted : outputs) {
+            if (o.output == wanted) return false;
+        }
+        return true;
+    });
+    return compact(std::move(out));
+}
+
+}  // namespace sg::opt

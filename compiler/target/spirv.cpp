@@ -1,0 +1,197 @@
+#include "target/spirv.hpp"
+
+#include <fmt/core.h>
+
+#include <mutex>
+#include <spirv-tools/libspirv.hpp>
+#include <spirv-tools/optimizer.hpp>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#include <glslang/Include/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#pragma GCC diagnostic pop
+
+#if __has_include(<glslang/Public/ResourceLimits.h>)
+#include <glslang/Public/ResourceLimits.h>
+#endif
+
+#include "base/ice.hpp"
+
+namespace sg::target {
+namespace {
+
+constexpr spv_target_env kEnvironment = SPV_ENV_VULKAN_1_1;
+
+// glslang is started once and never ended: ending it would drop its table of built-ins.
+void start_glslang() {
+    static std::once_flag once;
+    std::call_once(once, [] { glslang::InitializeProcess(); });
+}
+
+class LibraryIncluder final : public glslang::TShader::Includer {
+public:
+    explicit LibraryIncluder(const ShaderLibrary& library) : library_(library) {}
+
+    IncludeResult* includeLocal(const char* header, const char*, std::size_t) override {
+        auto it = library_.files.find(header);
+        if (it == library_.files.end()) return nullptr;
+        return new IncludeResult(it->first, it->second.data(), it->second.size(), nullptr);
+    }
+    void releaseInclude(IncludeResult* result) override { delete result; }
+
+private:
+    const ShaderLibrary& library_;
+};
+
+EShLanguage language(Stage stage) {
+    switch (stage) {
+        case Stage::vertex:
+            return EShLangVertex;
+        case Stage::fragment:
+            return EShLangFragment;
+        case Stage::compute:
+            return EShLangCompute;
+    }
+    SG_UNREACHABLE("a stage that glslang does not know");
+}
+
+// glslang follows its first fault with noise: keep that one, as "file:line: what".
+std::string first_error(std::string_view log) {
+    constexpr std::string_view kMark = "ERROR: ";
+    std::size_t at = log.find(kMark);
+    if (at == log.npos) return std::string(log.substr(0, log.find('\n')));
+    std::string_view line = log.substr(at + kMark.size());
+    return std::string(line.substr(0, line.find('\n')));
+}
+
+void register_passes(spvtools::Optimizer& optimizer, Optimise level) {
+    // The passes that change GPU code, in the order that lets each feed the next; functions have one return, so
+    // merge-return is not among them.
+    optimizer.RegisterPass(spvtools::CreateInlineExhaustivePass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+        .RegisterPass(spvtools::CreatePrivateToLocalPass())
+        .RegisterPass(spvtools::CreateScalarReplacementPass(100))
+        .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+        .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+        .RegisterPass(spvtools::CreateSSARewritePass())
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateSimplificationPass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass())
+        .RegisterPass(spvtools::CreateRedundancyEliminationPass())
+        .RegisterPass(spvtools::CreateBlockMergePass());
+    if (level == Optimise::size) optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass());
+}
+
+// An Optimizer may run once only: each call makes its own.
+std::optional<Words> run_optimizer(const Words& words, Optimise level, std::string& fault) {
+    spvtools::Optimizer optimizer(kEnvironment);
+    optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+        if (fault.empty()) fault = fmt::format("spirv-opt: {}", message);
+    });
+    register_passes(optimizer, level);
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    Words out;
+    if (!optimizer.Run(words.data(), words.size(), &out, options)) return std::nullopt;
+    fault.clear();
+    return out;
+}
+
+std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage, const ShaderLibrary& library,
+                               bool debug_info, std::string& fault) {
+    start_glslang();
+    glslang::TShader shader(language(stage));
+    std::string file(name);
+    const char* strings[] = {text.data()};
+    const int lengths[] = {static_cast<int>(text.size())};
+    const char* names[] = {file.c_str()};
+    shader.setStringsWithLengthsAndNames(strings, lengths, names, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    LibraryIncluder includer(library);
+    unsigned debug = debug_info ? EShMsgDebugInfo : EShMsgDefault;
+    auto messages = static_cast<EShMessages>(unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules} | debug);
+    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) {
+        fault = first_error(shader.getInfoLog());
+        return std::nullopt;
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages)) {
+        fault = first_error(program.getInfoLog());
+        return std::nullopt;
+    }
+    Words words;
+    glslang::SpvOptions options;
+    options.generateDebugInfo = debug_info;
+    options.disableOptimizer = true;
+    options.validate = false;
+    glslang::GlslangToSpv(*program.getIntermediate(language(stage)), words, &options);
+    return words;
+}
+
+}  // namespace
+
+std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,
+                                  const ShaderLibrary& library, const SpirvOptions& options, std::string& fault) {
+    fault.clear();
+    std::optional<Words> words = front_end(text, name, stage, library, options.debug_info, fault);
+    if (words && options.optimise != Optimise::none) words = run_optimizer(*words, options.optimise, fault);
+    if (!words) return std::nullopt;
+    fault = validate(*words);
+    if (!fault.empty()) return std::nullopt;
+    return words;
+}
+
+std::string validate(std::span<const std::uint32_t> words) {
+    spvtools::SpirvTools tools(kEnvironment);
+    std::string fault;
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
+        if (fault.empty()) fault = fmt::format("spirv-val: word {}: {}", at.index, message);
+    });
+    if (!tools.Validate(words.data(), words.size()) && fault.empty()) fault = "spirv-val: invalid module";
+    return fault;
+}
+
+std::string disassemble(std::span<const std::uint32_t> words) {
+    spvtools::SpirvTools tools(kEnvironment);
+    tools.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
+    std::string text;
+    bool good = tools.Disassemble(words.data(), words.size(), &text,
+                                  SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES | SPV_BINARY_TO_TEXT_OPTION_INDENT |
+                                      SPV_BINARY_TO_TEXT_OPTION_NO_HEADER);
+    SG_ASSERT(good);
+    return text;
+}
+
+std::size_t instruction_count(std::span<const std::uint32_t> words) {
+    constexpr std::size_t kHeader = 5;
+    constexpr std::uint32_t kFunction = 54, kLabel = 248, kFunctionParameter = 55, kFunctionEnd = 56, kVariable = 59,
+                            kLine = 8, kNoLine = 317;
+    std::size_t count = 0;
+    bool in_function = false;
+    for (std::size_t i = kHeader; i < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
+        std::uint32_t op = words[i] & 0xFFFFu;
+        if (op == kFunction) in_function = true;
+        bool work = in_function && op != kFunction && op != kLabel && op != kFunctionParameter && op != kFunctionEnd &&
+                    op != kVariable && op != kLine && op != kNoLine;
+        if (work) ++count;
+    }
+    return count;
+}
+
+std::string bytes(std::span<const std::uint32_t> words) {
+    std::string out;
+    out.reserve(words.size() * 4);
+    for (std::uint32_t word : words) {
+        for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>((word >> shift) & 0xFFu);
+    }
+    return out;
+}
+
+}  // namespace sg::target
