@@ -81,7 +81,7 @@ Camera default_camera(const Bounds& bounds, double aspect) {
     double narrower = aspect < 1 ? std::atan(std::tan(half) * aspect) : half;
     double distance = bounds.radius / std::sin(narrower) * 1.04;
     camera.target = bounds.center;
-    camera.position = bounds.center + glm::normalize(glm::dvec3(0.5, 0.4, 1)) * distance;
+    camera.position = bounds.center + glm::normalize(glm::dvec3(0.5, 0.6, 1)) * distance;
     return camera;
 }
 

@@ -61,6 +61,22 @@ TEST(Compute, IsCleanUnderTheValidationLayers) {
     EXPECT_TRUE(log->report(diags)) << render(diags);
 }
 
+TEST(Device, TheValidationLayersAreHeardToTheEnd) {
+    Diags diags;
+    std::shared_ptr<const gpu::ValidationLog> log;
+    {
+        auto device = gpu::Device::create({.name = "", .validate = true}, diags);
+        ASSERT_TRUE(device) << render(diags);
+        log = device->log();
+        auto info = gpu::make_info<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
+        VkFence never_destroyed = VK_NULL_HANDLE;
+        ASSERT_EQ(vkCreateFence(device->get(), &info, nullptr, &never_destroyed), VK_SUCCESS);
+    }
+    EXPECT_FALSE(log->report(diags));
+    EXPECT_NE(render(diags).find("VkFence"), std::string::npos) << render(diags);
+    EXPECT_EQ(diags.exit_code(), 4);
+}
+
 TEST(Device, OneThatDoesNotExistIsRefusedWithTheReasons) {
     Diags diags;
     auto all = gpu::list_devices(diags);
