@@ -1,48 +1,48 @@
-// The one place of the runtime that sees JSON.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "json/json.hpp"
 #include "runtime/artefact.hpp"
 
 namespace sg::runtime {
 namespace {
 
-using Json = nlohmann::json;
-
 // A value and where it stands; reads what is expected of it and reports what is not. After an error it hands
-// out harmless values, so that the rest of the manifest is still read and all of its errors are found.
+// out harmless values, so that the rest of the manifest is still read and all of its errors are found. Of a
+// missing value, which has been reported, nothing more is said.
 class Node {
 public:
-    Node(const Json* value, std::string pointer, std::string_view file, Diags& diags)
-        : value_(value), pointer_(std::move(pointer)), file_(file), diags_(&diags) {}
+    Node(const json::Value* value, Place place, Diags& diags)
+        : value_(value), place_(std::move(place)), diags_(&diags) {}
 
     void fail(std::string_view what) const {
-        diags_->error(Code::manifest_format, fmt::format("{}: '{}' {}", printable(file_),
-                                                         printable(pointer_.empty() ? "/" : pointer_), what));
+        if (value_ == nullptr) return;
+        std::string shown = printable(place_.pointer);
+        diags_->error(Code::manifest_format, place_,
+                      fmt::format("'{}' {}", shown.empty() ? "/" : shown, what));
     }
     [[nodiscard]] bool has(std::string_view key) const {
-        return value_->is_object() && value_->contains(key);
+        return value_ != nullptr && value_->find(key) != nullptr;
     }
-    [[nodiscard]] bool is_array() const { return value_->is_array(); }
     [[nodiscard]] Node at(std::string_view key) const {
-        static const Json nothing;
-        Node child(has(key) ? &value_->at(std::string(key)) : &nothing, fmt::format("{}/{}", pointer_, key),
-                   file_, *diags_);
-        if (!has(key)) child.fail("is missing");
-        return child;
+        if (!has(key)) {
+            fail(fmt::format("has no '{}'", key));
+            return {nullptr, place_, *diags_};
+        }
+        return child(*value_->find(key), key);
     }
-    [[nodiscard]] std::string text() const {
-        if (value_->is_string()) return value_->get<std::string>();
-        if (!value_->is_null()) fail("must be a text");
-        return "";
+    [[nodiscard]] std::optional<std::string> text() const {
+        if (value_ != nullptr && value_->kind == json::Kind::string) return value_->string;
+        fail("must be a text");
+        return std::nullopt;
     }
+    [[nodiscard]] std::string text_or_empty() const { return text().value_or(""); }
     [[nodiscard]] double number(double lowest, double highest) const {
-        double out = value_->is_number() ? value_->get<double>() : NAN;
+        double out = value_ != nullptr && value_->kind == json::Kind::number ? value_->number : NAN;
         if (out >= lowest && out <= highest) return out;
-        if (!value_->is_null()) fail(fmt::format("must be a number from {} to {}", lowest, highest));
+        fail(fmt::format("must be a number from {} to {}", lowest, highest));
         return lowest;
     }
     [[nodiscard]] std::uint32_t integer(std::uint32_t lowest, std::uint32_t highest) const {
@@ -53,34 +53,40 @@ public:
     }
     // The index of the text in `words`.
     [[nodiscard]] std::size_t choice(std::span<const std::string_view> words) const {
-        std::string word = text();
-        auto found = std::find(words.begin(), words.end(), word);
+        auto word = text();
+        if (!word) return 0;
+        auto found = std::find(words.begin(), words.end(), *word);
         if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-        if (!value_->is_null()) fail(fmt::format("is '{}', expected {}", printable(word), one_of(words)));
+        fail(fmt::format("is '{}', expected {}", printable(*word), one_of(words)));
         return 0;
     }
+    [[nodiscard]] bool is_array() const { return value_ != nullptr && value_->kind == json::Kind::array; }
     [[nodiscard]] std::vector<Node> items() const {
         std::vector<Node> out;
-        if (!value_->is_array() && !value_->is_null()) fail("must be an array");
-        if (!value_->is_array()) return out;
-        for (std::size_t i = 0; i < value_->size(); ++i) {
-            out.emplace_back(&(*value_)[i], fmt::format("{}/{}", pointer_, i), file_, *diags_);
+        if (!is_array()) {
+            fail("must be an array");
+            return out;
         }
+        for (const json::Value& item : value_->items) out.push_back(child(item, std::to_string(out.size())));
         return out;
     }
     // A file beside the manifest.
     [[nodiscard]] std::string plain_file() const {
-        std::string file = text();
-        bool plain = !file.empty() && file != "." && file != ".." &&
-                     file.find_first_of("/\\") == std::string::npos && file.find('\0') == std::string::npos;
-        if (!plain && !value_->is_null()) fail("must be the name of a file beside the manifest");
-        return file;
+        auto file = text();
+        if (!file) return "";
+        bool plain = !file->empty() && *file != "." && *file != ".." &&
+                     file->find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
+        if (!plain) fail("must be the name of a file beside the manifest");
+        return *file;
     }
 
 private:
-    const Json* value_;
-    std::string pointer_;
-    std::string_view file_;
+    [[nodiscard]] Node child(const json::Value& value, std::string_view step) const {
+        return {&value, {place_.source, value.span, place_.pointer + json::pointer_step(step)}, *diags_};
+    }
+
+    const json::Value* value_;  // null: missing
+    Place place_;
     Diags* diags_;
 };
 
@@ -88,7 +94,7 @@ constexpr std::uint32_t kMaxBinding = 1023;
 constexpr std::array<std::string_view, 2> kStages = {"vert", "frag"};
 
 ShaderStage read_shader(const Node& node) {
-    return {node.at("file").plain_file(), node.at("hash").text(), {}};
+    return {node.at("file").plain_file(), node.at("hash").text_or_empty(), {}};
 }
 
 void read_stages(const Node& node, EntryPoint& entry) {
@@ -120,7 +126,7 @@ VertexInput read_input(const Node& node) {
                                                       {"uv6", 10, 2},
                                                       {"uv7", 11, 2}}};
     static constexpr std::array<std::string_view, 3> kFormats = {"float2", "float3", "float4"};
-    VertexInput input{node.at("name").text(), node.at("location").integer(0, 11),
+    VertexInput input{node.at("name").text_or_empty(), node.at("location").integer(0, 11),
                       static_cast<std::uint32_t>(node.at("format").choice(kFormats)) + 2};
     for (const Known& known : kKnown) {
         if (known.name != input.name) continue;
@@ -149,13 +155,13 @@ DebugView read_view(const Node& node) {
     static constexpr std::array<std::string_view, 4> kKinds = {"direction", "position", "uv", "vector"};
     static constexpr std::array kValues = {ViewKind::direction, ViewKind::position, ViewKind::uv,
                                            ViewKind::vector};
-    return {node.at("name").text(), node.at("number").integer(0, 1u << 20),
+    return {node.at("name").text_or_empty(), node.at("number").integer(0, 1u << 20),
             node.at("components").integer(1, 4), kValues[node.at("kind").choice(kKinds)]};
 }
 
 EntryPoint read_entry(const Node& node) {
     EntryPoint entry;
-    entry.name = node.at("name").text();
+    entry.name = node.at("name").text_or_empty();
     read_stages(node.at("stages"), entry);
     for (const Node& input : node.at("vertex_inputs").items()) entry.inputs.push_back(read_input(input));
     for (const Node& binding : node.at("bindings").items()) entry.bindings.push_back(read_binding(binding));
@@ -170,7 +176,7 @@ Parameter read_parameter(const Node& node, std::size_t block_size) {
     static constexpr std::array<std::size_t, 5> kComponents = {1, 2, 3, 4, 3};
     constexpr double kFloatMax = 3.4028234663852886e38;
     Parameter parameter;
-    parameter.name = node.at("name").text();
+    parameter.name = node.at("name").text_or_empty();
     std::size_t type = node.at("type").choice(kTypes);
     parameter.type = kTypes[type];
     parameter.offset = node.at("offset").integer(0, 1u << 16);
@@ -213,8 +219,8 @@ TextureSlot read_texture(const Node& node) {
                                              TextureSlot::Encoding::normal_xy, TextureSlot::Encoding::plain,
                                              TextureSlot::Encoding::plain, TextureSlot::Encoding::plain};
     static constexpr std::array<std::string_view, 2> kSpaces = {"linear", "srgb"};
-    TextureSlot slot{node.at("name").text(), node.at("file").text(), node.at("hash").text(),
-                     node.at("binding").integer(0, kMaxBinding)};
+    TextureSlot slot{node.at("name").text_or_empty(), node.at("file").text_or_empty(),
+                     node.at("hash").text_or_empty(), node.at("binding").integer(0, kMaxBinding)};
     if (node.at("set").integer(0, 2) != 1) node.fail("must be in set 1");
     slot.encoding = kMeanings[node.at("encoding").choice(kEncodings)];
     if (slot.encoding != TextureSlot::Encoding::plain) slot.zero = node.at("zero").number(127, 128);
@@ -269,7 +275,7 @@ void check_bindings(const Artefact& artefact, const Node& root) {
 Artefact read_root(const Node& root) {
     static constexpr std::array<std::string_view, 3> kSides = {"off", "mirror", "flip"};
     Artefact artefact;
-    artefact.name = root.at("name").text();
+    artefact.name = root.at("name").text_or_empty();
     artefact.two_sided = root.at("two_sided").choice(kSides) != 0;
     for (const Node& entry : root.at("entry_points").items()) artefact.entries.push_back(read_entry(entry));
     if (root.has("parameter_block")) artefact.parameters = read_block(root.at("parameter_block"));
@@ -283,21 +289,39 @@ Artefact read_root(const Node& root) {
 
 }  // namespace
 
+namespace {
+
+bool is_manifest(const json::Document& document) {
+    const json::Value* format = document.root.find("format");
+    return format != nullptr && format->kind == json::Kind::string && format->string == "surfgrad-artefact";
+}
+
+std::optional<json::Document> parse(std::string_view text, std::string_view file, Diags& diags) {
+    return json::parse(std::make_shared<const Source>(Source{std::string(file), std::string(text)}), diags);
+}
+
+}  // namespace
+
 bool is_manifest(std::string_view text) {
-    Json value = Json::parse(text, nullptr, false);
-    return value.is_object() && value.contains("format") && value["format"] == "surfgrad-artefact";
+    Diags unheard;  // a text that is no JSON is no manifest; whoever reads it as something else says what is
+                    // wrong
+    auto document = parse(text, "", unheard);
+    return document && is_manifest(*document);
 }
 
 std::optional<Artefact> read_manifest(std::string_view text, std::string_view file, Diags& diags) {
-    if (!is_manifest(text)) {
-        diags.error(Code::manifest_format, fmt::format("{}: not a surfgrad manifest", printable(file)));
+    auto document = parse(text, file, diags);
+    if (!document) return std::nullopt;
+    Node root(&document->root, {document->source, document->root.span, ""}, diags);
+    std::size_t before = diags.error_count();
+    if (!is_manifest(*document)) {
+        diags.error(Code::manifest_format, fmt::format("'{}' is not a surfgrad manifest", printable(file)));
         return std::nullopt;
     }
-    std::size_t before = diags.error_count();
-    Json value = Json::parse(text, nullptr, false);
-    Node root(&value, "", file, diags);
-    Artefact artefact;
-    if (root.at("version").integer(1, 1) == 1 && diags.error_count() == before) artefact = read_root(root);
+    Node version = root.at("version");
+    if (version.number(0, 1e9) != 1) version.fail("must be 1, the version that this program reads");
+    if (diags.error_count() != before) return std::nullopt;
+    Artefact artefact = read_root(root);
     if (diags.error_count() != before) return std::nullopt;
     return artefact;
 }

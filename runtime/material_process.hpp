@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/diag.hpp"
 
@@ -14,7 +15,10 @@ class TemporaryFolder {
 public:
     static std::optional<TemporaryFolder> create(Diags& diags);  // fails with file_unwritable
     TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
-    TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+    TemporaryFolder& operator=(TemporaryFolder&& other) noexcept {
+        std::swap(path_, other.path_);
+        return *this;
+    }
     ~TemporaryFolder();
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

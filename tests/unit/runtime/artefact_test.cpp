@@ -46,45 +46,57 @@ TEST(Artefact, ReadsWhatTheManifestSays) {
 
 TEST(Artefact, RefusesWhatIsNoManifest) {
     for (std::string text :
-         {"", "{}", "[1]", "\"surfgrad-artefact\"", "{\"format\": 7}", "{\"format\": \"other\"}"}) {
+         {"{}", "[1]", "\"surfgrad-artefact\"", "{\"format\": 7}", "{\"format\": \"other\"}"}) {
         MemoryFiles files;
         files.contents["dir/sample.json"] = text;
-        expect_errors(files, "error: dir/sample.json: not a surfgrad manifest [SG2101]\n");
+        EXPECT_FALSE(is_manifest(text));
+        expect_errors(files, "error: 'dir/sample.json' is not a surfgrad manifest [SG2101]\n");
     }
+    EXPECT_FALSE(is_manifest(""));
+    EXPECT_TRUE(is_manifest(test::sample_manifest()));
+}
+
+// The first line of the only message, without the place in front.
+void expect_message(const std::string& from, const std::string& to, const std::string& message) {
+    MemoryFiles files = sample_with(from, to);
+    Diags diags;
+    EXPECT_FALSE(read_artefact(files, "dir/sample.json", diags));
+    ASSERT_EQ(diags.error_count(), 1u) << render(diags);
+    EXPECT_EQ(diags.all()[0].message, message);
+    EXPECT_EQ(diags.all()[0].code, Code::manifest_format);
+    EXPECT_TRUE(diags.all()[0].place.source);
 }
 
 TEST(Artefact, NamesTheValueThatIsWrong) {
-    const std::string head = "error: dir/sample.json: ";
-    expect_errors(sample_with("\"version\": 1", "\"version\": 2"),
-                  head + "'/version' must be a number from 1 to 1 [SG2101]\n");
-    expect_errors(sample_with("\"two_sided\": \"off\"", "\"two_sided\": \"on\""),
-                  head + "'/two_sided' is 'on', expected 'off', 'mirror' or 'flip' [SG2101]\n");
-    expect_errors(sample_with("\"two_sided\"", "\"sides\""), head + "'/two_sided' is missing [SG2101]\n");
-    expect_errors(sample_with("\"offset\": 12", "\"offset\": 16"),
-                  head + "'/parameter_block/parameters/1' lies outside its block [SG2101]\n");
-    expect_errors(sample_with("\"default\": [1, 1, 1]", "\"default\": [1]"),
-                  head + "'/parameter_block/parameters/0' must have a default of 3 numbers [SG2101]\n");
-    expect_errors(
-        sample_with("sample.forward.vert.spv", "../vert.spv"),
-        head + "'/entry_points/0/stages/0/file' must be the name of a file beside the manifest [SG2101]\n");
-    expect_errors(
-        sample_with("\"location\": 4, \"format\": \"float2\"", "\"location\": 4, \"format\": \"float3\""),
-        head + "'/entry_points/0/vertex_inputs/3' must be float2 at location 4 [SG2101]\n");
-    expect_errors(
-        sample_with("\"binding\": 2, \"kind\": \"sampler\"", "\"binding\": 3, \"kind\": \"sampler\""),
-        head +
-            "'/entry_points' uses binding 3 of set 1 for something that the manifest does not describe "
-            "[SG2101]\n");
+    expect_message("\"version\": 1", "\"version\": 2",
+                   "'/version' must be 1, the version that this program reads");
+    expect_message("\"two_sided\": \"off\"", "\"two_sided\": \"on\"",
+                   "'/two_sided' is 'on', expected 'off', 'mirror' or 'flip'");
+    expect_message("\"two_sided\"", "\"sides\"", "'/' has no 'two_sided'");
+    expect_message("\"offset\": 12", "\"offset\": 16",
+                   "'/parameter_block/parameters/1' lies outside its block");
+    expect_message("\"default\": [1, 1, 1]", "\"default\": [1]",
+                   "'/parameter_block/parameters/0' must have a default of 3 numbers");
+    expect_message("sample.forward.vert.spv", "../vert.spv",
+                   "'/entry_points/0/stages/0/file' must be the name of a file beside the manifest");
+    expect_message("\"location\": 4, \"format\": \"float2\"", "\"location\": 4, \"format\": \"float3\"",
+                   "'/entry_points/0/vertex_inputs/3' must be float2 at location 4");
+    expect_message(
+        "\"binding\": 2, \"kind\": \"sampler\"", "\"binding\": 3, \"kind\": \"sampler\"",
+        "'/entry_points' uses binding 3 of set 1 for something that the manifest does not describe");
 }
 
-TEST(Artefact, ReportsAllOfItsErrors) {
+TEST(Artefact, ReportsAllOfItsErrorsInTheirPlaces) {
     MemoryFiles files = sample_with("\"two_sided\": \"off\"", "\"two_sided\": 3");
     std::string& manifest = files.contents["dir/sample.json"];
     manifest.replace(manifest.find("\"anisotropy\": 1"), 15, "\"anisotropy\": 0");
-    expect_errors(
-        files,
-        "error: dir/sample.json: '/two_sided' must be a text [SG2101]\n"
-        "error: dir/sample.json: '/samplers/0/anisotropy' must be a number from 1 to 16 [SG2101]\n");
+    expect_errors(files, R"(dir/sample.json:2:61: error: '/two_sided' must be a text [SG2101]
+"source": {"file": "sample.json", "hash": ""}, "two_sided": 3,
+                                                            ^
+dir/sample.json:27:63: error: '/samplers/0/anisotropy' must be a number from 1 to 16 [SG2101]
+    "filter": "linear", "mip_filter": "linear", "anisotropy": 0}]}
+                                                              ^
+)");
 }
 
 TEST(Artefact, NoticesAShaderThatIsNotItsOwn) {
