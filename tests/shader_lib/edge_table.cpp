@@ -1,6 +1,7 @@
-// The edge cases of the specification, letters A to L, function by function: edges/<concept>.txt names for every
-// function of shader_lib/surfgrad/<concept>.glsl and every letter either the tests that show the behaviour or the
-// reason why the letter does not apply. A missing cell, an unknown function and an unknown test all fail.
+// The edge cases of the specification, letters A to L, function by function: edges/<concept>.txt names for
+// every function of shader_lib/surfgrad/<concept>.glsl and every letter either the tests that show the
+// behaviour or the reason why the letter does not apply. A missing cell, an unknown function and an unknown
+// test all fail.
 //
 //   * K - no texture is read                    for every function of the concept
 //   sg_basis_uv                                 from here on for this function, before the rows with a star
@@ -28,8 +29,8 @@ std::string concept_of(const std::string& file) {
 
 void read_row(const std::string& row_function, const std::string& line, Cells& cells) {
     const std::size_t at = line.find_first_not_of(' ');
-    const bool well_formed = line.size() > at + 2 && kLetters.find(line[at]) != std::string_view::npos &&
-                             line[at + 1] == ' ';
+    const bool well_formed =
+        line.size() > at + 2 && kLetters.find(line[at]) != std::string_view::npos && line[at + 1] == ' ';
     ASSERT_TRUE(well_formed) << "not a cell: '" << line << "'";
     bool fresh = cells.emplace(std::pair{row_function, line[at]}, line.substr(at + 2)).second;
     EXPECT_TRUE(fresh) << row_function << " has two cells " << line[at];
@@ -101,7 +102,8 @@ TEST(EdgeTable, NamesOnlyFunctionsThatExist) {
         for (const auto& [place, cell] : read_cells(concept_of(file))) {
             if (place.first == "*") continue;
             auto found = functions.find(place.first);
-            EXPECT_TRUE(found != functions.end() && found->second == file) << place.first << " is not in " << file;
+            EXPECT_TRUE(found != functions.end() && found->second == file)
+                << place.first << " is not in " << file;
         }
     }
 }

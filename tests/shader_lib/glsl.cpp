@@ -72,7 +72,8 @@ Compiled compile_glsl(const std::string& text, Stage stage, const Mutant* mutant
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
     LibraryIncluder includer(mutant);
     const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) return {{}, shader.getInfoLog()};
+    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer))
+        return {{}, shader.getInfoLog()};
     glslang::TProgram program;
     program.addShader(&shader);
     if (!program.link(messages)) return {{}, program.getInfoLog()};

@@ -1,5 +1,5 @@
-// GLSL text to SPIR-V words for the tests of the shader library, with the library read from disk and, for a mutant,
-// one text in it replaced.
+// GLSL text to SPIR-V words for the tests of the shader library, with the library read from disk and, for a
+// mutant, one text in it replaced.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,16 @@
 
 namespace sg::proof {
 
-// A deliberate mistake: in `file` (under shader_lib/, say "surfgrad/tbn.glsl") the first `find` becomes `replace`.
+// A deliberate mistake: in `file` (under shader_lib/, say "surfgrad/tbn.glsl") the first `find` becomes
+// `replace`.
 struct Mutant {
     std::string file;
     std::string find;
     std::string replace;
 };
 
-// The text of a library file. Ends the process when it cannot be read: a test without its library means nothing.
+// The text of a library file. Ends the process when it cannot be read: a test without its library means
+// nothing.
 std::string library_text(const std::string& file);
 
 // The text of a library file with the mutant applied; empty when `find` does not occur exactly once.

@@ -62,7 +62,8 @@ Verdict judge(const Case& item, const In& in, std::span<const float> out, std::v
     const double condition = item.condition ? item.condition(in) : 1.0;
     for (std::size_t k = 0; k < out.size(); ++k) {
         const double error = std::abs(out[k] - expected[k]);
-        const double allowed = condition * (item.bound.absolute + item.bound.relative * std::abs(expected[k]));
+        const double allowed =
+            condition * (item.bound.absolute + item.bound.relative * std::abs(expected[k]));
         // Not-a-number compares false with everything: it takes the failing branch.
         const double ratio = error <= allowed ? (error > 0.0 ? error / allowed : 0.0)
                                               : (error > allowed ? error / allowed : INFINITY);
@@ -70,8 +71,8 @@ Verdict judge(const Case& item, const In& in, std::span<const float> out, std::v
         if (!(ratio > verdict.ratio)) continue;
         verdict.ratio = ratio;
         if (ratio > 1.0) {
-            verdict.reason += fmt::format("output {}: {:.9g}, double says {:.17g}, allowed {:.3g}; ", k, out[k],
-                                          expected[k], allowed);
+            verdict.reason += fmt::format("output {}: {:.9g}, double says {:.17g}, allowed {:.3g}; ", k,
+                                          out[k], expected[k], allowed);
         }
     }
     return verdict;
@@ -133,7 +134,8 @@ std::vector<float> evaluate(const Case& item, std::span<const float> inputs, con
 
 Worst compare(const Case& item, std::span<const float> inputs, std::span<const float> outputs) {
     Worst worst;
-    const auto in_size = static_cast<std::size_t>(item.inputs), out_size = static_cast<std::size_t>(item.outputs);
+    const auto in_size = static_cast<std::size_t>(item.inputs),
+               out_size = static_cast<std::size_t>(item.outputs);
     std::vector<double> expected(out_size);
     for (std::size_t i = 0; i * in_size < inputs.size(); ++i) {
         auto in = inputs.subspan(i * in_size, in_size);
@@ -142,7 +144,8 @@ Worst compare(const Case& item, std::span<const float> inputs, std::span<const f
         worst.ratio = std::max(worst.ratio, verdict.ratio);
         worst.error = std::max(worst.error, verdict.error);
         if (!verdict.reason.empty() && worst.violation.empty()) {
-            worst.violation = fmt::format("{}\n  input {{{}}}\n  output {{{}}}", verdict.reason, listed(in), listed(out));
+            worst.violation =
+                fmt::format("{}\n  input {{{}}}\n  output {{{}}}", verdict.reason, listed(in), listed(out));
         }
     }
     return worst;
@@ -159,8 +162,12 @@ std::vector<float> draw_inputs(const Case& item, std::size_t count) {
     return inputs;
 }
 
-bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool is_unit(glm::dvec3 v, double tolerance) { return std::abs(glm::length(v) - 1.0) <= tolerance; }
+bool is_finite(glm::dvec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+bool is_unit(glm::dvec3 v, double tolerance) {
+    return std::abs(glm::length(v) - 1.0) <= tolerance;
+}
 
 std::vector<MutantOf> mutants_of(const std::vector<Case>& cases) {
     std::vector<MutantOf> out;
@@ -170,7 +177,9 @@ std::vector<MutantOf> mutants_of(const std::vector<Case>& cases) {
     return out;
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
+std::string case_name(const testing::TestParamInfo<Case>& info) {
+    return info.param.name;
+}
 std::string mutant_name(const testing::TestParamInfo<MutantOf>& info) {
     const Case& item = info.param.item;
     std::size_t number = 1;
@@ -187,13 +196,14 @@ TEST_P(AgainstDouble, Holds) {
     std::vector<float> inputs = draw_inputs(item, kCount);
     Worst worst = compare(item, inputs, evaluate(item, inputs));
     EXPECT_EQ(worst.violation, "") << "SG_SEED=" << run_seed();
-    std::cout << fmt::format("  {:<40} largest error {:.2e}, {:.0f} % of what is allowed\n", item.name, worst.error,
-                             100.0 * worst.ratio);
+    std::cout << fmt::format("  {:<40} largest error {:.2e}, {:.0f} % of what is allowed\n", item.name,
+                             worst.error, 100.0 * worst.ratio);
 }
 
 TEST_P(Mutants, AreNoticed) {
     const auto& [item, mutant] = GetParam();
-    ASSERT_TRUE(mutated_text(mutant)) << "'" << mutant.find << "' does not stand exactly once in " << mutant.file;
+    ASSERT_TRUE(mutated_text(mutant))
+        << "'" << mutant.find << "' does not stand exactly once in " << mutant.file;
     std::vector<float> inputs = draw_inputs(item, kMutantCount);
     Worst worst = compare(item, inputs, evaluate(item, inputs, &mutant));
     EXPECT_NE(worst.violation, "") << item.name << " holds although '" << mutant.find << "' became '"

@@ -1,5 +1,5 @@
-// GLSL against double precision. A Case is one row: an expression over packed floats, where its inputs come from, what
-// mathematics says, how far apart the two may be and why, and the mistakes that must be noticed.
+// GLSL against double precision. A Case is one row: an expression over packed floats, where its inputs come
+// from, what mathematics says, how far apart the two may be and why, and the mistakes that must be noticed.
 //
 //   static std::vector<Case> cases() { return {{.name = "reject", .include = "surfgrad/frame.glsl", ...}}; }
 //   SG_PROVE(Frame, cases());
@@ -18,11 +18,12 @@
 
 namespace sg::proof {
 
-// Half a unit in the last place of 1: the largest relative error of one correctly rounded operation. Lavapipe rounds
-// + - * / and sqrt correctly and never fuses them; a bound of k roundings is written 2 k kUlp, so that a GPU with
-// Vulkan's looser division and square root fits too.
+// Half a unit in the last place of 1: the largest relative error of one correctly rounded operation. Lavapipe
+// rounds
+// + - * / and sqrt correctly and never fuses them; a bound of k roundings is written 2 k kUlp, so that a GPU
+// with Vulkan's looser division and square root fits too.
 inline constexpr double kUlp = 1.0 / (1 << 24);
-inline constexpr std::size_t kCount = 100000;        // inputs per case
+inline constexpr std::size_t kCount = 100000;       // inputs per case
 inline constexpr std::size_t kMutantCount = 10000;  // inputs until a mutant must have been noticed
 
 // One input: the very floats that the shader read, as doubles.
@@ -49,6 +50,7 @@ public:
     void put(std::size_t k, glm::dvec3 v) { put(k, v.x), put(k + 1, v.y), put(k + 2, v.z); }
     void put(std::size_t k, glm::dvec4 v) { put(k, glm::dvec3(v)), put(k + 3, v.w); }
     std::size_t size() const { return floats_.size(); }
+    std::span<Float> floats() const { return floats_; }  // what was written so far
 
 private:
     std::span<Float> floats_;
@@ -65,10 +67,10 @@ struct Bound {
 struct Case {
     std::string name = {};
     std::string include = {};  // library file; several: separated by a blank
-    int inputs = 0;       // floats per input
-    int outputs = 0;      // floats per output
-    // Statements. f(k), v2(k), v3(k), v4(k) read input floats from position k, m3(k) and m4(k) a matrix by columns;
-    // put(k, x) writes an output from position k.
+    int inputs = 0;            // floats per input
+    int outputs = 0;           // floats per output
+    // Statements. f(k), v2(k), v3(k), v4(k) read input floats from position k, m3(k) and m4(k) a matrix by
+    // columns; put(k, x) writes an output from position k.
     std::string glsl = {};
     std::function<void(Random&, Draw&)> draw = {};
     // Empty when only `property` speaks (inputs outside the domain, say).
@@ -79,7 +81,8 @@ struct Case {
     // What must hold for every result: "" or what is wrong.
     std::function<std::string(const In& in, const In& out)> property = {};
     std::vector<Mutant> mutants = {};
-    std::string declarations = {};  // GLSL before the function that holds `glsl`; for published formulas to compare with
+    std::string declarations =
+        {};  // GLSL before the function that holds `glsl`; for published formulas to compare with
 };
 
 // The shader that evaluates a case, without its #version line.
@@ -108,13 +111,21 @@ std::vector<MutantOf> mutants_of(const std::vector<Case>& cases);
 std::string case_name(const testing::TestParamInfo<Case>& info);
 std::string mutant_name(const testing::TestParamInfo<MutantOf>& info);
 
+// What a failing test prints of its parameter.
+inline void PrintTo(const Case& item, std::ostream* out) {
+    *out << item.name;
+}
+inline void PrintTo(const MutantOf& of, std::ostream* out) {
+    *out << of.item.name << ", mutant of " << of.mutant.file;
+}
+
 class AgainstDouble : public testing::TestWithParam<Case> {};
 class Mutants : public testing::TestWithParam<MutantOf> {};
 
 }  // namespace sg::proof
 
 // Registers `Concept/AgainstDouble.Holds/<case>` and `Concept/Mutants.AreNoticed/<case>_<number>`.
-#define SG_PROVE(Concept, cases)                                                                           \
-    INSTANTIATE_TEST_SUITE_P(Concept, AgainstDouble, testing::ValuesIn(cases), ::sg::proof::case_name);    \
-    INSTANTIATE_TEST_SUITE_P(Concept, Mutants, testing::ValuesIn(::sg::proof::mutants_of(cases)),          \
+#define SG_PROVE(Concept, cases)                                                                        \
+    INSTANTIATE_TEST_SUITE_P(Concept, AgainstDouble, testing::ValuesIn(cases), ::sg::proof::case_name); \
+    INSTANTIATE_TEST_SUITE_P(Concept, Mutants, testing::ValuesIn(::sg::proof::mutants_of(cases)),       \
                              ::sg::proof::mutant_name)

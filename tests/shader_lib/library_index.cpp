@@ -9,7 +9,8 @@
 namespace sg::proof {
 namespace {
 
-// "vec3 sg_reject(vec3 v, vec3 n) { ... }" -> "sg_reject"; "" for any other line. Definitions begin in column 1.
+// "vec3 sg_reject(vec3 v, vec3 n) { ... }" -> "sg_reject"; "" for any other line. Definitions begin in
+// column 1.
 std::string defined_function(const std::string& line) {
     std::size_t blank = line.find(' ');
     std::size_t open = line.find('(');
@@ -26,7 +27,8 @@ std::string defined_function(const std::string& line) {
 std::vector<std::string> library_files() {
     std::vector<std::string> out;
     for (const auto& entry : std::filesystem::directory_iterator(SG_SOURCE_DIR "/shader_lib/surfgrad")) {
-        if (entry.path().extension() == ".glsl") out.push_back("surfgrad/" + entry.path().filename().string());
+        if (entry.path().extension() == ".glsl")
+            out.push_back("surfgrad/" + entry.path().filename().string());
     }
     std::sort(out.begin(), out.end());
     return out;

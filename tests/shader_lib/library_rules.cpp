@@ -1,5 +1,5 @@
-// What holds for every file of shader_lib/surfgrad/: compiles alone, declares nothing that belongs to a stage, prefixes
-// its names, documents every function, and returns once per function.
+// What holds for every file of shader_lib/surfgrad/: compiles alone, declares nothing that belongs to a
+// stage, prefixes its names, documents every function, and returns once per function.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -20,11 +20,15 @@ std::string code_of(const std::string& file) {
 
 TEST(Library, EveryFileCompilesAlone) {
     for (const std::string& file : library_files()) {
-        const std::string text = "#extension GL_GOOGLE_include_directive : require\n#include \"" + file + "\"\n";
-        EXPECT_EQ(compile_glsl(text + "layout(location = 0) out vec4 o; void main() { o = vec4(0.0); }", Stage::fragment).log,
+        const std::string text =
+            "#extension GL_GOOGLE_include_directive : require\n#include \"" + file + "\"\n";
+        EXPECT_EQ(compile_glsl(text + "layout(location = 0) out vec4 o; void main() { o = vec4(0.0); }",
+                               Stage::fragment)
+                      .log,
                   "")
             << file;
-        EXPECT_EQ(compile_glsl(text + "layout(local_size_x = 1) in; void main() {}", Stage::compute).log, "") << file;
+        EXPECT_EQ(compile_glsl(text + "layout(local_size_x = 1) in; void main() {}", Stage::compute).log, "")
+            << file;
     }
 }
 
@@ -39,8 +43,9 @@ TEST(Library, FilesMayBeIncludedTwiceAndTogether) {
 TEST(Library, NothingOfAStageAndNothingThatSomeTargetLacks) {
     for (const std::string& file : library_files()) {
         const std::string code = code_of(file);
-        for (const char* word : {"dFdx", "dFdy", "fwidth", "gl_", "uniform", "layout", "isnan", "isinf", "textureQueryLod",
-                                 "textureGatherOffsets", " fma(", "frexp", "outerProduct", "double", "texture("}) {
+        for (const char* word :
+             {"dFdx", "dFdy", "fwidth", "gl_", "uniform", "layout", "isnan", "isinf", "textureQueryLod",
+              "textureGatherOffsets", " fma(", "frexp", "outerProduct", "double", "texture("}) {
             EXPECT_EQ(code.find(word), std::string::npos) << file << " uses " << word;
         }
     }

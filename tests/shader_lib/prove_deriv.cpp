@@ -32,14 +32,18 @@ std::vector<Case> cases() {
              },
          .reference =
              [](const In& in, Expect& out) {
-                 for (std::size_t k = 0; k < 5; ++k) out.put(k, ref::decode_signed(in[k < 2 ? k : k - 2], in[3]));
+                 for (std::size_t k = 0; k < 5; ++k)
+                     out.put(k, ref::decode_signed(in[k < 2 ? k : k - 2], in[3]));
              },
-         // 255 texel rounds at 255 u, the difference loses it to the zero code: 255 u / 127, twice for the doubling.
+         // 255 texel rounds at 255 u, the difference loses it to the zero code: 255 u / 127, twice for the
+         // doubling.
          .bound = {.absolute = 6 * kUlp, .relative = 4 * kUlp},
-         .mutants = {{kFile, "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero)",
-                      "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / 127.5"},
-                     {kFile, "vec3 texel, float zero) {\n    return clamp((255.0 * texel - zero)",
-                      "vec3 texel, float zero) {\n    return clamp((255.0 * texel - 127.5)"}}},
+         .mutants =
+             {{kFile,
+               "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero)",
+               "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / 127.5"},
+              {kFile, "vec3 texel, float zero) {\n    return clamp((255.0 * texel - zero)",
+               "vec3 texel, float zero) {\n    return clamp((255.0 * texel - 127.5)"}}},
         {.name = "deriv_from_normal_xyz",
          .include = kFile,
          .inputs = 3,

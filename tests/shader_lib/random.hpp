@@ -36,12 +36,24 @@ public:
         double z = uniform(-1.0, 1.0);
         return {direction2() * std::sqrt(1.0 - z * z), z};
     }
-    glm::dvec3 within(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+    glm::dvec3 within(double half) {
+        return {uniform(-half, half), uniform(-half, half), uniform(-half, half)};
+    }
 
     // Anything a register can hold: zeros, denormals, huge and tiny numbers, infinities, not-a-number.
     float wild() {
-        static constexpr float kSpecial[] = {0.0f,   -0.0f,  1.0f,  -1.0f,  1e-45f, 1e-38f, -1e-30f,
-                                             1e30f,  -1e38f, 3e38f, 128.0f, std::numeric_limits<float>::infinity(),
+        static constexpr float kSpecial[] = {0.0f,
+                                             -0.0f,
+                                             1.0f,
+                                             -1.0f,
+                                             1e-45f,
+                                             1e-38f,
+                                             -1e-30f,
+                                             1e30f,
+                                             -1e38f,
+                                             3e38f,
+                                             128.0f,
+                                             std::numeric_limits<float>::infinity(),
                                              -std::numeric_limits<float>::infinity(),
                                              std::numeric_limits<float>::quiet_NaN()};
         if (coin()) return kSpecial[below(static_cast<int>(std::size(kSpecial)))];

@@ -11,9 +11,8 @@ struct ScreenDerivatives {
 
 // Towards the viewer: n, or its mirror image if it faces away.
 dvec3 facing_normal(dvec3 n, dvec3 view);
-// Where the ray of a pixel meets the plane through `position`. relative_from_screen: see the GLSL.
-dvec3 plane_under_pixel(dvec3 position, dvec3 n, const dmat4& relative_from_screen, dvec2 pixel);
-// Of the plane with the normal n through `position`; clip_from_relative takes the position to where it is seen.
+// Of the plane with the normal n through `position`; relative_from_screen: (x px, y px, depth, 1) to relative
+// space.
 ScreenDerivatives analytic_derivatives(dvec3 position, dvec3 n, const dmat4& relative_from_screen);
 Frame frame_rebuilt(dvec3 position, dvec3 n, double facing, dvec3 view, const dmat4& relative_from_screen);
 

@@ -1,5 +1,5 @@
-// Functions that a GPU leaves undefined outside their domain. In double precision they are asserted: a reference that
-// steps out of the domain is wrong, whatever a driver makes of it.
+// Functions that a GPU leaves undefined outside their domain. In double precision they are asserted: a
+// reference that steps out of the domain is wrong, whatever a driver makes of it.
 #pragma once
 
 #include <cmath>

@@ -4,20 +4,30 @@
 
 namespace sg::ref {
 
-dvec3 combine_add(dvec3 a, dvec3 b) { return a + b; }
-dvec3 combine_scale(dvec3 g, double strength) { return g * strength; }
-dvec3 combine_mask(dvec3 g, double mask) { return mask > 0.0 ? g * mask : dvec3(0.0); }
+dvec3 combine_add(dvec3 a, dvec3 b) {
+    return a + b;
+}
+dvec3 combine_scale(dvec3 g, double strength) {
+    return g * strength;
+}
+dvec3 combine_mask(dvec3 g, double mask) {
+    return mask > 0.0 ? g * mask : dvec3(0.0);
+}
 
 dvec3 combine_mix(dvec3 a, dvec3 b, double t) {
     if (!(t > 0.0)) return a;
     return t < 1.0 ? a + (b - a) * t : b;
 }
 
-dvec3 combine_pd(dvec3 a, dvec3 b) { return combine_weighted(a, b, dvec2(1.0)); }
+dvec3 combine_pd(dvec3 a, dvec3 b) {
+    return combine_weighted(a, b, dvec2(1.0));
+}
 
-// normalize(a.xy + b.xy, a.z b.z) is the normal of the slope -(a.xy + b.xy) / (a.z b.z): one share for each map.
+// normalize(a.xy + b.xy, a.z b.z) is the normal of the slope -(a.xy + b.xy) / (a.z b.z): one share for each
+// map.
 DerivPair combine_whiteout(dvec3 a, dvec3 b) {
-    return {deriv_from_normal_xyz(dvec3(dvec2(a) / b.z, a.z)), deriv_from_normal_xyz(dvec3(dvec2(b) / a.z, b.z))};
+    return {deriv_from_normal_xyz(dvec3(dvec2(a) / b.z, a.z)),
+            deriv_from_normal_xyz(dvec3(dvec2(b) / a.z, b.z))};
 }
 
 DerivPair combine_udn(dvec3 a, dvec3 b) {

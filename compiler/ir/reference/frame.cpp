@@ -11,7 +11,9 @@ bool has_direction(dvec3 v) {
 }  // namespace
 
 // Turning v about n by a right angle twice, back and forth, loses its part along n.
-dvec3 reject(dvec3 v, dvec3 n) { return glm::cross(n, glm::cross(v, n)); }
+dvec3 reject(dvec3 v, dvec3 n) {
+    return glm::cross(n, glm::cross(v, n));
+}
 
 Frame frame(dvec3 position, dvec3 dpdx, dvec3 dpdy, dvec3 n) {
     const double volume = glm::determinant(dmat3(dpdx, dpdy, n));
@@ -28,6 +30,8 @@ dvec3 base_normal(dvec3 vertex_normal) {
     return has_direction(vertex_normal) ? normalized(vertex_normal) : dvec3(0.0, 0.0, 1.0);
 }
 
-dvec3 mirror_normal(dvec3 n, double facing) { return facing < 0.0 ? -n : n; }
+dvec3 mirror_normal(dvec3 n, double facing) {
+    return facing < 0.0 ? -n : n;
+}
 
 }  // namespace sg::ref

@@ -8,7 +8,9 @@ dvec3 resolve(dvec3 n, dvec3 g) {
     return length > 1e-15 && std::isfinite(length) ? normalized(bumped) : n;
 }
 
-dvec3 flip(dvec3 resolved, double facing) { return facing < 0.0 ? -resolved : resolved; }
+dvec3 flip(dvec3 resolved, double facing) {
+    return facing < 0.0 ? -resolved : resolved;
+}
 
 // Half a turn about n: the part along n stays, the part across changes its sign.
 dvec3 invert(dvec3 n, dvec3 resolved) {

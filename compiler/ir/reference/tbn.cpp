@@ -6,7 +6,8 @@ Basis basis_vertex(dvec3 vertex_normal, dvec4 vertex_tangent) {
     const double length = std::hypot(vertex_normal.x, vertex_normal.y, vertex_normal.z);
     if (!(length > 1e-15 && length < 1e15)) return {};
     const dvec3 tangent(vertex_tangent);
-    const dvec3 across = vertex_tangent.w < 0.0 ? glm::cross(tangent, vertex_normal) : glm::cross(vertex_normal, tangent);
+    const dvec3 across =
+        vertex_tangent.w < 0.0 ? glm::cross(tangent, vertex_normal) : glm::cross(vertex_normal, tangent);
     return {tangent / length, across / length};
 }
 
@@ -30,13 +31,16 @@ Basis basis_uv(const Frame& frame, const Uv& uv) {
 
 Basis basis_resolved(const Basis& basis, dvec3 n) {
     const dvec3 across = glm::cross(n, basis.tangent);  // as long as the part of T that survives
-    if (!(glm::length(across) > 1e-6 * glm::length(basis.tangent)) || !(glm::length(across) > 1e-15)) return {};
+    if (!(glm::length(across) > 1e-6 * glm::length(basis.tangent)) || !(glm::length(across) > 1e-15))
+        return {};
     const dvec3 unit_across = normalized(across);
-    return {glm::cross(unit_across, n), glm::dot(unit_across, basis.bitangent) < 0.0 ? -unit_across : unit_across};
+    return {glm::cross(unit_across, n),
+            glm::dot(unit_across, basis.bitangent) < 0.0 ? -unit_across : unit_across};
 }
 
 Basis basis_mirror(const Basis& basis, dvec2 scale) {
-    return {scale.x < 0.0 ? -basis.tangent : basis.tangent, scale.y < 0.0 ? -basis.bitangent : basis.bitangent};
+    return {scale.x < 0.0 ? -basis.tangent : basis.tangent,
+            scale.y < 0.0 ? -basis.bitangent : basis.bitangent};
 }
 
 dvec3 surfgrad_from_tbn(dvec2 d, const Basis& basis) {

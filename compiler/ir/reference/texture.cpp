@@ -15,7 +15,8 @@ int into(int i, int size, Wrap wrap) {
 
 dvec4 texel_at(const TextureSource& texture, const Sampler& sampler, glm::ivec2 texel, int level) {
     glm::ivec2 size = texture.size(level);
-    return texture.fetch({into(texel.x, size.x, sampler.wrap_s), into(texel.y, size.y, sampler.wrap_t)}, level);
+    return texture.fetch({into(texel.x, size.x, sampler.wrap_s), into(texel.y, size.y, sampler.wrap_t)},
+                         level);
 }
 
 dvec4 sample_bilinear(const TextureSource& texture, const Sampler& sampler, dvec2 st, int level) {

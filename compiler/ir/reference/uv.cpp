@@ -5,9 +5,12 @@
 
 namespace sg::ref {
 
-Uv uv_scale(const Uv& uv, dvec2 scale) { return uv_transform(uv, scale, 0.0, dvec2(0.0)); }
+Uv uv_scale(const Uv& uv, dvec2 scale) {
+    return uv_transform(uv, scale, 0.0, dvec2(0.0));
+}
 
-// s + i t: a turn is a product with a unit complex number. The derivative of an affine map is its linear part.
+// s + i t: a turn is a product with a unit complex number. The derivative of an affine map is its linear
+// part.
 Uv uv_transform(const Uv& uv, dvec2 scale, double rotation, dvec2 offset) {
     const std::complex<double> turn = std::polar(1.0, rotation);
     auto linear = [&](dvec2 v) {
@@ -18,7 +21,8 @@ Uv uv_transform(const Uv& uv, dvec2 scale, double rotation, dvec2 offset) {
 }
 
 double uv_level(const Uv& uv, dvec2 dim) {
-    const double texels = std::max(std::hypot(dim.x * uv.dx.x, dim.y * uv.dx.y), std::hypot(dim.x * uv.dy.x, dim.y * uv.dy.y));
+    const double texels =
+        std::max(std::hypot(dim.x * uv.dx.x, dim.y * uv.dx.y), std::hypot(dim.x * uv.dy.x, dim.y * uv.dy.y));
     return std::log2(std::max(texels, 1e-12));
 }
 

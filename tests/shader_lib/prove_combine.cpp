@@ -1,0 +1,225 @@
+// Combinations of bumps (shader_lib/surfgrad/combine.glsl) against double precision.
+#include "draws.hpp"
+#include "ir/reference/combine.hpp"
+#include "ir/reference/deriv.hpp"
+
+namespace sg::proof {
+namespace {
+
+constexpr const char* kFile = "surfgrad/combine.glsl";
+constexpr double kSteepest = 1.5;  // radians: a slope of 14
+
+glm::dvec3 outward(Random& random, double steepest = kSteepest) {
+    const double lean = random.uniform(0.0, steepest);
+    return {random.direction2() * std::sin(lean), std::cos(lean)};
+}
+void draw_pair(Random& random, Draw& in) {
+    in.put(0, outward(random)), in.put(3, outward(random));
+}
+void draw_gradients(Random& random, Draw& in) {
+    in.put(0, random.within(10.0)), in.put(3, random.within(10.0));
+    in.put(6, random.uniform(0.0, 1.0));
+}
+double larger(const In& in) {
+    return std::max(glm::length(in.v3(0)), glm::length(in.v3(3)));
+}
+
+// The slopes' rounding reaches the normal at most undiminished, and slopes of opposite sign may cancel.
+double slopes(const In& in) {
+    return 1.0 + glm::length(ref::deriv_from_normal_xyz(in.v3(0))) +
+           glm::length(ref::deriv_from_normal_xyz(in.v3(3)));
+}
+
+std::vector<Case> gradient_cases() {
+    return {
+        {.name = "combine_add",
+         .include = kFile,
+         .inputs = 7,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_add(v3(0), v3(3)));",
+         .draw = draw_gradients,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_add(in.v3(0), in.v3(3))); },
+         .bound = {.absolute = 1e-30, .relative = 2 * kUlp},  // one sum
+         .mutants = {{kFile, "{ return a + b; }", "{ return a - b; }"},
+                     {kFile, "{ return a + b; }", "{ return a; }"}}},
+        {.name = "combine_scale",
+         .include = kFile,
+         .inputs = 7,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_scale(v3(0), f(3)));",
+         .draw = draw_gradients,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_scale(in.v3(0), in[3])); },
+         .bound = {.absolute = 1e-30, .relative = 2 * kUlp},  // one product
+         .mutants = {{kFile, "return strength * g;", "return abs(strength) * g;"}}},
+        {.name = "combine_mask",
+         .include = kFile,
+         .inputs = 7,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_mask(v3(0), f(6)));",
+         .draw = draw_gradients,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_mask(in.v3(0), in[6])); },
+         .bound = {.absolute = 1e-30, .relative = 2 * kUlp},  // one product
+         .mutants = {{kFile, "mask > 0.0 ? mask * g", "mask > 0.0 ? g"}}},
+        {.name = "combine_mask_hides_anything",
+         .include = kFile,
+         .inputs = 4,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_mask(v3(0), f(3)));",
+         .draw =
+             [](Random& random, Draw& in) {
+                 for (std::size_t k = 0; k < 3; ++k) in.put(k, random.wild());
+                 in.put(3, random.coin() ? 0.0 : std::nan(""));
+             },
+         .reference = [](const In&, Expect& out) { out.put(0, glm::dvec3(0.0)); },
+         .bound = {.absolute = 1e-30},
+         .mutants = {{kFile, "mask > 0.0 ? mask * g : vec3(0.0)", "mask * g"}}},
+        {.name = "combine_mix",
+         .include = kFile,
+         .inputs = 7,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_mix(v3(0), v3(3), f(6)));",
+         .draw = draw_gradients,
+         .reference = [](const In& in,
+                         Expect& out) { out.put(0, ref::combine_mix(in.v3(0), in.v3(3), in[6])); },
+         .bound = {.absolute = 8 * kUlp},  // 1 - t, two products and a sum
+         .condition = larger,
+         .mutants = {{kFile, "a * (1.0 - t) + b * t", "b * (1.0 - t) + a * t"},
+                     {kFile, "t < 1.0 ? between : b", "b"}}},
+        {.name = "combine_mix_hides_anything",
+         .include = kFile,
+         .inputs = 8,
+         .outputs = 6,
+         .glsl = "put(0, sg_combine_mix(v3(0), v3(3), f(6))); put(3, sg_combine_mix(v3(3), v3(0), f(7)));",
+         .draw =
+             [](Random& random, Draw& in) {
+                 in.put(0, random.within(10.0)), in.put(6, glm::dvec2(0.0, 1.0));
+                 for (std::size_t k = 3; k < 6; ++k) in.put(k, random.wild());
+             },
+         .reference = [](const In& in, Expect& out) { out.put(0, in.v3(0)), out.put(3, in.v3(0)); },
+         .bound = {.absolute = 1e-30},  // a copy
+         .mutants = {{kFile, "return t > 0.0 ? upper : a;", "return upper;"},
+                     {kFile, "t < 1.0 ? between : b", "between"}}},
+    };
+}
+
+constexpr const char* kPutPair = "put(0, pair.first); put(2, pair.second);";
+
+std::vector<Case> normal_cases() {
+    return {
+        {.name = "combine_pd",
+         .include = kFile,
+         .inputs = 6,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_pd(v3(0), v3(3)));",
+         .draw = draw_pair,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_pd(in.v3(0), in.v3(3))); },
+         .bound = {.absolute =
+                       18 *
+                       kUlp},  // two slopes (2 each), a sum (1), a normalisation (6): of the slopes' size
+         .condition = slopes,
+         .property = unit,
+         .mutants = {{kFile,
+                      "sg_deriv_from_normal_xyz(a) + sg_deriv_from_normal_xyz(b));\n}\n\n// \"Whiteout\"",
+                      "sg_deriv_from_normal_xyz(a) - sg_deriv_from_normal_xyz(b));\n}\n\n// \"Whiteout\""}}},
+        {.name = "combine_whiteout",
+         .include = kFile,
+         .inputs = 6,
+         .outputs = 4,
+         .glsl = std::string("SgDerivPair pair = sg_combine_whiteout(v3(0), v3(3));") + kPutPair,
+         .draw = [](Random& random,
+                    Draw& in) { in.put(0, outward(random, 1.45)), in.put(3, outward(random, 1.45)); },
+         .reference =
+             [](const In& in, Expect& out) {
+                 const ref::DerivPair pair = ref::combine_whiteout(in.v3(0), in.v3(3));
+                 out.put(0, pair.first), out.put(2, pair.second);
+             },
+         .bound = {.absolute = 1e-30, .relative = 6 * kUlp},  // a product and a division
+         .mutants = {{kFile, "float z = a.z * b.z;", "float z = a.z;"},
+                     {kFile, "vec3(b.xy, z)", "vec3(b.yx, z)"}}},
+        {.name = "combine_udn",
+         .include = kFile,
+         .inputs = 6,
+         .outputs = 4,
+         .glsl = std::string("SgDerivPair pair = sg_combine_udn(v3(0), v3(3));") + kPutPair,
+         .draw = draw_pair,
+         .reference =
+             [](const In& in, Expect& out) {
+                 const ref::DerivPair pair = ref::combine_udn(in.v3(0), in.v3(3));
+                 out.put(0, pair.first), out.put(2, pair.second);
+             },
+         .bound = {.absolute = 1e-30, .relative = 4 * kUlp},  // a division
+         .mutants = {{kFile, "sg_deriv_from_normal_xyz(vec3(b.xy, a.z))", "sg_deriv_from_normal_xyz(b)"}}},
+        {.name = "combine_rnm",
+         .include = kFile,
+         .inputs = 6,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_rnm(v3(0), v3(3)));",
+         .draw = draw_pair,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_rnm(in.v3(0), in.v3(3))); },
+         // A dot product up to 2 (4), a division (1), a product up to 2 (1), a difference (1); a and b off
+         // unit length (2).
+         .bound = {.absolute = 36 * kUlp},
+         .property = unit,
+         .mutants = {{kFile, "vec3 u = vec3(-b.xy, b.z);", "vec3 u = b;"},
+                     {kFile, "abs(a.z) + 1.0", "a.z"},
+                     {kFile, "t * (dot(t, u) / t.z) - u", "t * (dot(t, u) / t.z) + u"}}},
+        {.name = "combine_weighted",
+         .include = kFile,
+         .inputs = 8,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_weighted(v3(0), v3(3), v2(6)));",
+         .draw =
+             [](Random& random, Draw& in) {
+                 draw_pair(random, in);
+                 in.put(6, glm::dvec2(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
+             },
+         .reference = [](const In& in,
+                         Expect& out) { out.put(0, ref::combine_weighted(in.v3(0), in.v3(3), in.v2(6))); },
+         .bound = {.absolute = 22 * kUlp},  // as combine_pd with two products more
+         .condition = slopes,
+         .property = unit,
+         .mutants = {{kFile, "weights.x * sg_deriv_from_normal_xyz(a)",
+                      "weights.y * sg_deriv_from_normal_xyz(a)"},
+                     {kFile, "+ weights.y * sg_deriv_from_normal_xyz(b)", "+ sg_deriv_from_normal_xyz(b)"}}},
+        {.name = "combine_additive",
+         .include = kFile,
+         .inputs = 6,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_additive(v3(0), v3(3)));",
+         .draw = draw_pair,
+         .reference = [](const In& in,
+                         Expect& out) { out.put(0, ref::combine_additive(in.v3(0), in.v3(3))); },
+         .bound = {.absolute =
+                       18 * kUlp},  // two products and a sum (3), a normalisation (6), of the slopes' size
+         .condition = slopes,
+         .property = unit,
+         .mutants = {{kFile, "b.z * a.xy + a.z * b.xy", "a.z * a.xy + b.z * b.xy"},
+                     {kFile, "b.z * a.xy + a.z * b.xy", "a.xy + b.xy"},
+                     {kFile, "a.xy + a.z * b.xy, a.z * b.z", "a.xy + a.z * b.xy, a.z"}}},
+    };
+}
+
+SG_PROVE(Combine, gradient_cases());
+SG_PROVE(CombineNormals, normal_cases());
+
+// Letter G: two maps on one uv set, both added and one on top of the other.
+TEST(CombineEdges, RnmAgreesWithAResolveOnTopOfAResolve) {
+    Random random("rnm and post-resolve");
+    for (int i = 0; i < 10000; ++i) {
+        const glm::dvec3 a = outward(random, 0.35), b = outward(random, 0.35);
+        const glm::dvec2 d = ref::deriv_from_normal_xyz(b);
+        // T and B of the level surface, brought to the normal a (the rotation that RNM applies keeps more of
+        // them).
+        const glm::dvec3 t = glm::normalize(glm::dvec3(1, 0, 0) - a * a.x), across = glm::cross(a, t);
+        const glm::dvec3 post = glm::normalize(a - d.x * t - d.y * across);
+        EXPECT_LT(glm::length(post - ref::combine_rnm(a, b)), 0.05) << "SG_SEED=" << run_seed();
+    }
+}
+
+TEST(CombineEdges, TwoLevelNormalsAddToALevelOne) {
+    const std::vector<float> up = evaluate(normal_cases()[5], std::vector<float>{1, 0, 0, 0, 1, 0});
+    EXPECT_EQ(up, (std::vector<float>{0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace sg::proof
