@@ -14,6 +14,7 @@ namespace {
 constexpr int kCommandLineWrong = 2;
 constexpr std::uint32_t kMaxSide = 16384;
 constexpr std::uint32_t kMaxSupersample = 8;
+constexpr double kMaxPixels = 1u << 26u;  // drawn, so with --supersample: about 4 GB in all
 
 // The options that are texts with an inner form.
 struct Texts {
@@ -44,6 +45,10 @@ void parse_size(const std::string& text, Arguments& out, Diags& diags) {
     }
     out.width = static_cast<std::uint32_t>((*width)[0]);
     out.height = static_cast<std::uint32_t>((*height)[0]);
+    if ((*width)[0] * (*height)[0] * out.supersample * out.supersample > kMaxPixels) {
+        bad(diags, "--size and --supersample", "at most 67108864 pixels to draw",
+            fmt::format("{} times {} squared", text, out.supersample));
+    }
 }
 
 void parse_camera(const std::string& text, Arguments& out, Diags& diags) {

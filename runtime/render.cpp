@@ -109,18 +109,19 @@ struct Renderer::State {
 };
 
 bool Renderer::State::make_meshes(Diags& diags) {
-    std::vector<asset::Mesh> prepared;
-    for (const asset::Mesh& mesh : scene.content.meshes) {
-        if (auto ready = prepare_mesh(mesh, entry, artefact.name, diags))
-            prepared.push_back(std::move(*ready));
+    const asset::Scene& content = scene.content;
+    meshes.resize(content.meshes.size());
+    bool complete = true;
+    for (std::size_t i = 0; i < content.meshes.size(); ++i) {
+        bool drawn = std::any_of(content.instances.begin(), content.instances.end(),
+                                 [&](const asset::Instance& instance) { return instance.mesh == i; });
+        if (!drawn || content.meshes[i].indices.empty()) continue;
+        auto ready = prepare_mesh(content.meshes[i], entry, artefact.name, diags);
+        auto uploaded = ready ? upload_mesh(device, *ready, entry, diags) : std::nullopt;
+        if (uploaded) meshes[i] = std::move(*uploaded);
+        complete = complete && uploaded;
     }
-    if (prepared.size() != scene.content.meshes.size()) return false;
-    for (const asset::Mesh& mesh : prepared) {
-        auto uploaded = upload_mesh(device, mesh, entry, diags);
-        if (!uploaded) return false;
-        meshes.push_back(std::move(*uploaded));
-    }
-    return true;
+    return complete;
 }
 
 bool Renderer::State::uses(std::uint32_t binding) const {
@@ -250,6 +251,7 @@ void Renderer::State::record(VkCommandBuffer commands) const {
     for (std::size_t i = 0; i < scene.content.instances.size(); ++i) {
         const asset::Instance& instance = scene.content.instances[i];
         const DeviceMesh& mesh = meshes[instance.mesh];
+        if (!mesh.indices) continue;  // it has no triangles
         bool mirrored = is_mirrored(instance.world_from_object);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           (mirrored ? mirrored_pipeline : pipeline).get());

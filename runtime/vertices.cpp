@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "runtime/mesh/tangents.hpp"
 
 namespace sg::runtime {
@@ -28,24 +32,32 @@ std::span<const std::byte> attribute_bytes(const asset::Mesh& mesh, std::string_
 std::optional<asset::Mesh> prepare_mesh(const asset::Mesh& mesh, const EntryPoint& entry,
                                         std::string_view material, Diags& diags) {
     std::optional<asset::Mesh> out = mesh;
-    bool complete = true;
+    std::string shown =
+        mesh.name.empty() ? "a mesh without a name" : fmt::format("mesh '{}'", printable(mesh.name));
+    std::vector<std::string_view> missing;
     auto require = [&](std::string_view name, std::string_view purpose) {
-        if (!attribute_bytes(mesh, name).empty()) return true;
-        diags.error(Code::mesh_attribute,
-                    fmt::format("mesh '{}' has no '{}', which material '{}' needs{}", printable(mesh.name),
-                                name, printable(material), purpose));
-        return complete = false;
+        if (!attribute_bytes(mesh, name).empty()) return;
+        if (std::find(missing.begin(), missing.end(), name) != missing.end()) return;
+        missing.push_back(name);
+        std::string text = fmt::format("{} has no '{}', which material '{}' needs{}", shown, name,
+                                       printable(material), purpose);
+        // The parts of one mesh share its name: once is enough.
+        bool said = std::any_of(diags.all().begin(), diags.all().end(),
+                                [&](const Diagnostic& other) { return other.message == text; });
+        if (!said) diags.error(Code::mesh_attribute, text);
     };
+    bool needs_tangents = false;
     for (const VertexInput& input : entry.inputs) {
-        if (input.name == "tangent" && mesh.tangents.empty()) {
-            constexpr std::string_view kPurpose = " to make tangents";
-            bool has_normals = require("normal", kPurpose);
-            if (require("uv0", kPurpose) && has_normals) make_tangents(*out, 0);
-        } else {
-            require(input.name, "");
-        }
+        bool is_tangent = input.name == "tangent" && mesh.tangents.empty();
+        needs_tangents = needs_tangents || is_tangent;
+        if (!is_tangent) require(input.name, "");
     }
-    if (!complete) return std::nullopt;
+    if (needs_tangents) {
+        require("normal", " to make tangents");
+        require("uv0", " to make tangents");
+    }
+    if (!missing.empty()) return std::nullopt;
+    if (needs_tangents) make_tangents(*out, 0);
     return out;
 }
 

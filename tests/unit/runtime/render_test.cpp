@@ -237,9 +237,9 @@ TEST_F(Render, AMissingAttributeIsNamed) {
     mesh.uvs[0].clear();
     EXPECT_EQ(message(mesh), "error: mesh 'crate' has no 'uv0', which material 'sample' needs [SG2004]\n");
     mesh.tangents.clear();
+    mesh.name = "";
     EXPECT_EQ(message(mesh),
-              "error: mesh 'crate' has no 'uv0', which material 'sample' needs to make tangents [SG2004]\n"
-              "error: mesh 'crate' has no 'uv0', which material 'sample' needs [SG2004]\n");
+              "error: a mesh without a name has no 'uv0', which material 'sample' needs [SG2004]\n");
     mesh = *make_shape("cube");
     mesh.name = "crate";
     mesh.normals.clear();
