@@ -10,7 +10,7 @@ namespace {
 using asset::Image;
 using asset::TexelFormat;
 
-constexpr double kSteepest = 128.0;                            // slope of a normal that lies in the surface
+constexpr double kSteepest = 128.0;  // slope of a normal that lies in the surface
 constexpr double kLeastZSquared = 1.0 / (kSteepest * kSteepest);  // of a two-channel map
 
 // What is averaged: linear rgba, or (slope x, slope y, plain blue or nothing, plain alpha).
@@ -23,16 +23,28 @@ struct Level {
 };
 
 // Within [-1, 1]; 0 for what is not a number.
-double clamp_unit(double v) { return v == v ? std::clamp(v, -1.0, 1.0) : 0.0; }
+double clamp_unit(double v) {
+    return v == v ? std::clamp(v, -1.0, 1.0) : 0.0;
+}
 
 // How far a code is from `zero` when it means 1.
-double reach(double zero) { return zero == 127.5 ? 127.5 : 127.0; }
+double reach(double zero) {
+    return zero == 127.5 ? 127.5 : 127.0;
+}
 
-double decode(double texel, double zero) { return clamp_unit((255.0 * texel - zero) / reach(zero)); }
-double encode(double value, double zero) { return (value * reach(zero) + zero) / 255.0; }
+double decode(double texel, double zero) {
+    return clamp_unit((255.0 * texel - zero) / reach(zero));
+}
+double encode(double value, double zero) {
+    return (value * reach(zero) + zero) / 255.0;
+}
 
-double linear_of_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-double srgb_of_linear(double v) { return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; }
+double linear_of_srgb(double v) {
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+double srgb_of_linear(double v) {
+    return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+}
 
 // The slopes -x/z and -y/z, each at most kSteepest in size; (0, 0, 0) is flat.
 Texel slopes_of(double x, double y, double z) {
@@ -113,7 +125,8 @@ Image image_of(const Level& level, TexelFormat format, const MipRule& rule) {
     Image image = asset::make_image(level.width, level.height, format);
     for (std::uint32_t y = 0; y < level.height; ++y) {
         for (std::uint32_t x = 0; x < level.width; ++x) {
-            const Texel texel = encode_texel(level.texels[static_cast<std::size_t>(y) * level.width + x], rule);
+            const Texel texel =
+                encode_texel(level.texels[static_cast<std::size_t>(y) * level.width + x], rule);
             for (int c = 0; c < 4; ++c) image.set(x, y, c, texel[static_cast<std::size_t>(c)]);
         }
     }

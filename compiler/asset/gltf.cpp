@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDeepestJson = 64;                        // nesting; the parser of extras is recursive
+constexpr int kDeepestJson = 64;  // nesting; the parser of extras is recursive
 constexpr std::size_t kMostInstances = 1u << 20;
 
 // What tinygltf's callbacks need: our files, and the one folder in which it may look.
@@ -32,7 +32,8 @@ bool is_picture(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::string_view kExtensions[] = {".png", ".jpg", ".jpeg", ".webp", ".ktx2", ".ktx", ".dds", ".basis"};
+    constexpr std::string_view kExtensions[] = {".png",  ".jpg", ".jpeg", ".webp",
+                                                ".ktx2", ".ktx", ".dds",  ".basis"};
     return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
 }
 
@@ -41,7 +42,8 @@ bool file_exists(const std::string& path, void* user) {
     return path.starts_with(folder->prefix) && !is_picture(path) && folder->files.exists(path);
 }
 
-bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* user) {
+bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path,
+                     void* user) {
     Files::ReadResult result = static_cast<Folder*>(user)->files.read(path);
     if (result.status != Files::Status::ok) {
         if (error) *error = result.status == Files::Status::missing ? "it does not exist" : result.reason;
@@ -51,7 +53,8 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const 
     return true;
 }
 
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                void*) {
     return true;
 }
 
@@ -74,7 +77,8 @@ int nesting(std::string_view text) {
 std::string_view json_part(std::string_view bytes) {
     if (!bytes.starts_with("glTF") || bytes.size() < 20) return bytes;
     std::uint32_t length = 0;
-    for (int i = 3; i >= 0; --i) length = length << 8 | static_cast<unsigned char>(bytes[12 + static_cast<unsigned>(i)]);
+    for (int i = 3; i >= 0; --i)
+        length = length << 8 | static_cast<unsigned char>(bytes[12 + static_cast<unsigned>(i)]);
     return bytes.substr(20, length);
 }
 
@@ -87,7 +91,8 @@ std::string first_line(const std::string& text) {
 // "" or why not.
 std::string parse(const std::string& bytes, Folder& folder, tinygltf::Model& model) {
     if (bytes.size() > 0x7fffffffu) return "expected less than 2 GiB";
-    if (nesting(json_part(bytes)) > kDeepestJson) return fmt::format("nested deeper than {} levels", kDeepestJson);
+    if (nesting(json_part(bytes)) > kDeepestJson)
+        return fmt::format("nested deeper than {} levels", kDeepestJson);
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(skip_image, nullptr);
     tinygltf::FsCallbacks callbacks{};
@@ -102,7 +107,8 @@ std::string parse(const std::string& bytes, Folder& folder, tinygltf::Model& mod
         const bool ok =
             bytes.starts_with("glTF")
                 ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                              reinterpret_cast<const unsigned char*>(bytes.data()), size, folder.prefix)
+                                              reinterpret_cast<const unsigned char*>(bytes.data()), size,
+                                              folder.prefix)
                 : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.prefix);
         return ok ? "" : first_line(error);
     } catch (const std::exception& failure) {  // the parser's own, on values of a wrong type
@@ -113,13 +119,14 @@ std::string parse(const std::string& bytes, Folder& folder, tinygltf::Model& mod
 // Extensions that change only what this reader ignores, and quantisation, which it understands.
 bool harmless_extension(std::string_view name) {
     return name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_") ||
-           name.starts_with("EXT_texture_") || name == "KHR_lights_punctual" || name == "KHR_mesh_quantization" ||
-           name == "KHR_animation_pointer" || name == "KHR_xmp_json_ld";
+           name.starts_with("EXT_texture_") || name == "KHR_lights_punctual" ||
+           name == "KHR_mesh_quantization" || name == "KHR_animation_pointer" || name == "KHR_xmp_json_ld";
 }
 
 class SceneReader {
 public:
-    SceneReader(const tinygltf::Model& model, Scene& scene) : model_(model), scene_(scene), accessors_(model) {}
+    SceneReader(const tinygltf::Model& model, Scene& scene)
+        : model_(model), scene_(scene), accessors_(model) {}
 
     bool read() { return check_extensions() && read_meshes() && read_nodes(); }
     std::string reason;
@@ -151,7 +158,8 @@ bool SceneReader::fail(std::string text) {
 
 bool SceneReader::check_extensions() {
     for (const std::string& name : model_.extensionsRequired)
-        if (!harmless_extension(name)) return fail(fmt::format("it requires extension '{}'", printable(name)));
+        if (!harmless_extension(name))
+            return fail(fmt::format("it requires extension '{}'", printable(name)));
     return true;
 }
 
@@ -175,14 +183,15 @@ bool SceneReader::read_meshes() {
 // The default scene's, else the first scene's; without scenes every node that is nobody's child.
 std::vector<int> SceneReader::root_nodes() const {
     if (!model_.scenes.empty()) {
-        const bool valid = model_.defaultScene >= 0 &&
-                           static_cast<std::size_t>(model_.defaultScene) < model_.scenes.size();
+        const bool valid =
+            model_.defaultScene >= 0 && static_cast<std::size_t>(model_.defaultScene) < model_.scenes.size();
         return model_.scenes[valid ? static_cast<std::size_t>(model_.defaultScene) : 0].nodes;
     }
     std::vector<bool> is_child(model_.nodes.size());
     for (const tinygltf::Node& node : model_.nodes)
         for (const int child : node.children)
-            if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) is_child[static_cast<std::size_t>(child)] = true;
+            if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+                is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> roots;
     for (std::size_t i = 0; i < is_child.size(); ++i)
         if (!is_child[i]) roots.push_back(static_cast<int>(i));
@@ -222,7 +231,8 @@ bool SceneReader::visit(int index, const glm::mat4& world_from_parent,
                         std::vector<std::pair<int, glm::mat4>>& pending) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
         return fail(fmt::format("there is no node {}", index));
-    if (visited_[static_cast<std::size_t>(index)]) return fail(fmt::format("node {} has two parents or is its own", index));
+    if (visited_[static_cast<std::size_t>(index)])
+        return fail(fmt::format("node {} has two parents or is its own", index));
     visited_[static_cast<std::size_t>(index)] = true;
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     glm::mat4 local;
@@ -230,12 +240,15 @@ bool SceneReader::visit(int index, const glm::mat4& world_from_parent,
     const glm::mat4 world = world_from_parent * local;
     if (!all_finite(world)) return fail(fmt::format("node {} has a transform that is not finite", index));
     if (node.mesh >= 0) {
-        if (static_cast<std::size_t>(node.mesh) >= meshes_.size()) return fail(fmt::format("there is no mesh {}", node.mesh));
+        if (static_cast<std::size_t>(node.mesh) >= meshes_.size())
+            return fail(fmt::format("there is no mesh {}", node.mesh));
         const Range range = meshes_[static_cast<std::size_t>(node.mesh)];
-        for (std::size_t m = range.begin; m < range.end; ++m) scene_.instances.push_back({node.name, m, world});
+        for (std::size_t m = range.begin; m < range.end; ++m)
+            scene_.instances.push_back({node.name, m, world});
         if (scene_.instances.size() > kMostInstances) return fail("too many instances");
     }
-    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) pending.emplace_back(*child, world);
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        pending.emplace_back(*child, world);
     return true;
 }
 
@@ -243,7 +256,8 @@ bool SceneReader::read_nodes() {
     visited_.assign(model_.nodes.size(), false);
     std::vector<std::pair<int, glm::mat4>> pending;
     const std::vector<int> roots = root_nodes();
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.emplace_back(*root, glm::mat4(1.0f));
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+        pending.emplace_back(*root, glm::mat4(1.0f));
     while (!pending.empty()) {
         const auto [index, world_from_parent] = pending.back();
         pending.pop_back();
@@ -261,7 +275,8 @@ std::optional<Scene> read_gltf(Files& files, const fs::path& path, Diags& diags)
     const std::optional<std::string> bytes = read_or_report(files, path, diags);
     if (!bytes) return std::nullopt;
     auto report = [&](std::string_view reason) {
-        diags.error(Code::mesh_format, fmt::format("cannot read '{}' as glTF 2.0: {}", printable(path.string()), reason));
+        diags.error(Code::mesh_format,
+                    fmt::format("cannot read '{}' as glTF 2.0: {}", printable(path.string()), reason));
     };
     Folder folder{files, path.parent_path().string()};
     tinygltf::Model model;

@@ -32,20 +32,29 @@ float scaled(const unsigned char* from, bool normalized) {
 
 float load_float(const unsigned char* from, int component_type, bool normalized) {
     switch (component_type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: return scaled<std::int8_t>(from, normalized);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return scaled<std::uint8_t>(from, normalized);
-        case TINYGLTF_COMPONENT_TYPE_SHORT: return scaled<std::int16_t>(from, normalized);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return scaled<std::uint16_t>(from, normalized);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return scaled<std::uint32_t>(from, normalized);
-        default: return load<float>(from);
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return scaled<std::int8_t>(from, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return scaled<std::uint8_t>(from, normalized);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return scaled<std::int16_t>(from, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return scaled<std::uint16_t>(from, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return scaled<std::uint32_t>(from, normalized);
+        default:
+            return load<float>(from);
     }
 }
 
 std::uint32_t load_index(const unsigned char* from, int component_type) {
     switch (component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(from);
-        default: return load<std::uint32_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return load<std::uint8_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return load<std::uint16_t>(from);
+        default:
+            return load<std::uint32_t>(from);
     }
 }
 
@@ -53,12 +62,16 @@ std::uint32_t load_index(const unsigned char* from, int component_type) {
 std::uint64_t component_size(int component_type) {
     switch (component_type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
         case TINYGLTF_COMPONENT_TYPE_SHORT:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-        default: return 0;
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
     }
 }
 
@@ -71,11 +84,16 @@ bool is_index_type(int component_type) {
 // Numbers per element of the types that vertex attributes have, else 0.
 int width_of(int type) {
     switch (type) {
-        case TINYGLTF_TYPE_SCALAR: return 1;
-        case TINYGLTF_TYPE_VEC2: return 2;
-        case TINYGLTF_TYPE_VEC3: return 3;
-        case TINYGLTF_TYPE_VEC4: return 4;
-        default: return 0;
+        case TINYGLTF_TYPE_SCALAR:
+            return 1;
+        case TINYGLTF_TYPE_VEC2:
+            return 2;
+        case TINYGLTF_TYPE_VEC3:
+            return 3;
+        case TINYGLTF_TYPE_VEC4:
+            return 4;
+        default:
+            return 0;
     }
 }
 
@@ -103,7 +121,8 @@ bool AccessorReader::fail(std::string text) {
 // The bytes of `count` elements `stride` apart in a buffer view.
 bool AccessorReader::find_range(int view_index, std::uint64_t offset, std::uint64_t count, std::uint64_t size,
                                 std::uint64_t stride, const unsigned char*& begin) {
-    if (!in_list(view_index, model_.bufferViews)) return fail(fmt::format("there is no buffer view {}", view_index));
+    if (!in_list(view_index, model_.bufferViews))
+        return fail(fmt::format("there is no buffer view {}", view_index));
     const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
     if (!in_list(view.buffer, model_.buffers)) return fail(fmt::format("there is no buffer {}", view.buffer));
     const std::vector<unsigned char>& data = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
@@ -126,32 +145,37 @@ bool AccessorReader::find_layout(int index, Layout& layout) {
     layout.stride = layout.size;
     if (layout.size == 0) return fail(fmt::format("accessor {} has a type that cannot be read", index));
     if (layout.count > kMostElements)
-        return fail(fmt::format("accessor {} has {} elements, expected at most {}", index, layout.count, kMostElements));
+        return fail(fmt::format("accessor {} has {} elements, expected at most {}", index, layout.count,
+                                kMostElements));
     if (accessor.bufferView < 0) return true;
     if (in_list(accessor.bufferView, model_.bufferViews)) {
-        const std::uint64_t stride = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+        const std::uint64_t stride =
+            model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
         if (stride > 252) return fail(fmt::format("a byte stride of {}, expected at most 252", stride));
         if (stride != 0) layout.stride = stride;
     }
-    return find_range(accessor.bufferView, accessor.byteOffset, layout.count, layout.size, layout.stride, layout.begin);
+    return find_range(accessor.bufferView, accessor.byteOffset, layout.count, layout.size, layout.stride,
+                      layout.begin);
 }
 
 bool AccessorReader::read_sparse_indices(int index, std::uint64_t limit, std::vector<std::uint32_t>& out) {
     const auto& sparse = model_.accessors[static_cast<std::size_t>(index)].sparse;
     const int type = sparse.indices.componentType;
-    if (!is_index_type(type)) return fail(fmt::format("accessor {} has sparse indices of a wrong type", index));
+    if (!is_index_type(type))
+        return fail(fmt::format("accessor {} has sparse indices of a wrong type", index));
     if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
         static_cast<std::uint64_t>(sparse.count) > limit)
         return fail(fmt::format("accessor {} has a sparse part that is out of range", index));
     const std::uint64_t size = component_size(type);
     const auto count = static_cast<std::uint64_t>(sparse.count);
     const unsigned char* begin = nullptr;
-    if (!find_range(sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset), count, size, size,
-                    begin))
+    if (!find_range(sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset), count,
+                    size, size, begin))
         return false;
     for (std::uint64_t i = 0; i < count; ++i) {
         out.push_back(load_index(begin + i * size, type));
-        if (out.back() >= limit) return fail(fmt::format("accessor {} has a sparse index out of range", index));
+        if (out.back() >= limit)
+            return fail(fmt::format("accessor {} has a sparse index out of range", index));
     }
     return true;
 }
@@ -172,8 +196,8 @@ bool AccessorReader::read_elements(int index, const Layout& layout, Load load_on
     std::vector<std::uint32_t> places;
     const unsigned char* values = nullptr;
     if (!read_sparse_indices(index, layout.count, places) ||
-        !find_range(sparse.values.bufferView, static_cast<std::uint64_t>(sparse.values.byteOffset), places.size(),
-                    layout.size, layout.size, values))
+        !find_range(sparse.values.bufferView, static_cast<std::uint64_t>(sparse.values.byteOffset),
+                    places.size(), layout.size, layout.size, values))
         return false;
     for (std::size_t i = 0; i < places.size(); ++i) copy(values + i * layout.size, places[i]);
     return true;
@@ -184,7 +208,8 @@ bool AccessorReader::read_floats(int index, int width, bool may_be_narrower, std
     if (!find_layout(index, layout)) return false;
     const bool narrower = may_be_narrower && layout.width == width - 1;
     if (layout.width != width && !narrower)
-        return fail(fmt::format("accessor {} has {} numbers per element, expected {}", index, layout.width, width));
+        return fail(
+            fmt::format("accessor {} has {} numbers per element, expected {}", index, layout.width, width));
     const bool normalized = model_.accessors[static_cast<std::size_t>(index)].normalized;
     const int type = layout.component_type;
     std::vector<float> numbers;
@@ -210,7 +235,8 @@ bool AccessorReader::read_indices(int index, std::vector<std::uint32_t>& out) {
     if (layout.width != 1 || !is_index_type(layout.component_type))
         return fail(fmt::format("accessor {} cannot hold indices, expected unsigned scalars", index));
     const int type = layout.component_type;
-    return read_elements(index, layout, [&](const unsigned char* from) { return load_index(from, type); }, out);
+    return read_elements(
+        index, layout, [&](const unsigned char* from) { return load_index(from, type); }, out);
 }
 
 }  // namespace sg::asset

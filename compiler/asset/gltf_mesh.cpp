@@ -23,8 +23,8 @@ bool read_attribute(AccessorReader& reader, const tinygltf::Primitive& primitive
     if (!reader.read_floats(it->second, kWidth, may_be_narrower, numbers)) return false;
     const std::size_t found = numbers.size() / kWidth;
     if (found != count) {
-        reader.reason = fmt::format("attribute {} has {} elements, expected {} as POSITION has", printable(name), found,
-                                    count);
+        reader.reason = fmt::format("attribute {} has {} elements, expected {} as POSITION has",
+                                    printable(name), found, count);
         return false;
     }
     out.resize(count);
@@ -135,7 +135,8 @@ void mend_normals(Mesh& mesh) {
     }
 }
 
-// Tangents become unit and w changes to this project's sign; one without a direction becomes perpendicular to N.
+// Tangents become unit and w changes to this project's sign; one without a direction becomes perpendicular to
+// N.
 void mend_tangents(Mesh& mesh) {
     for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
         glm::vec4& tangent = mesh.tangents[v];
@@ -153,7 +154,8 @@ void mend_tangents(Mesh& mesh) {
 std::optional<Mesh> read_primitive(AccessorReader& reader, const tinygltf::Primitive& primitive) {
     Mesh mesh;
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || !primitive.attributes.count("POSITION")) return mesh;
-    if (!read_attributes(reader, primitive, mesh) || !read_triangles(reader, primitive, mesh)) return std::nullopt;
+    if (!read_attributes(reader, primitive, mesh) || !read_triangles(reader, primitive, mesh))
+        return std::nullopt;
     if (mesh.indices.empty()) return Mesh{};
     if (mesh.normals.empty()) make_flat(mesh);
     mend_normals(mesh);

@@ -14,9 +14,12 @@ namespace {
 
 std::size_t bytes_per_channel(TexelFormat format) {
     switch (format) {
-        case TexelFormat::unorm8: return 1;
-        case TexelFormat::unorm16: return 2;
-        case TexelFormat::float32: return 4;
+        case TexelFormat::unorm8:
+            return 1;
+        case TexelFormat::unorm16:
+            return 2;
+        case TexelFormat::float32:
+            return 4;
     }
     SG_UNREACHABLE("unknown texel format");
 }
@@ -34,11 +37,15 @@ T to_unorm(double value, double maximum) {
     return static_cast<T>(std::floor(std::min(value, 1.0) * maximum + 0.5));
 }
 
-bool starts_with(std::string_view bytes, std::string_view magic) { return bytes.substr(0, magic.size()) == magic; }
+bool starts_with(std::string_view bytes, std::string_view magic) {
+    return bytes.substr(0, magic.size()) == magic;
+}
 
 }  // namespace
 
-std::size_t Image::bytes_per_texel() const { return 4 * bytes_per_channel(format); }
+std::size_t Image::bytes_per_texel() const {
+    return 4 * bytes_per_channel(format);
+}
 
 double Image::at(std::uint32_t x, std::uint32_t y, int c) const {
     const std::uint8_t* from = bytes.data() + channel_offset(*this, x, y, c);
@@ -87,12 +94,13 @@ bool check_image_size(const ImageSource& source, std::uint64_t width, std::uint6
     }
     if (width <= kMaxImageSide && height <= kMaxImageSide) return true;
     diags.error(Code::image_limit, source.place,
-                fmt::format("'{}' is {} x {} texels, expected at most {} per side", printable(source.name), width,
-                            height, kMaxImageSide));
+                fmt::format("'{}' is {} x {} texels, expected at most {} per side", printable(source.name),
+                            width, height, kMaxImageSide));
     return false;
 }
 
-std::optional<Image> read_image(std::string_view bytes, std::string_view name, const Place& place, Diags& diags) {
+std::optional<Image> read_image(std::string_view bytes, std::string_view name, const Place& place,
+                                Diags& diags) {
     const ImageSource source{bytes, name, place};
     if (bytes.empty()) {
         report_bad_image(source, "the file is empty", diags);

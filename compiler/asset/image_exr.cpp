@@ -1,5 +1,5 @@
-// EXR through tinyexr. Only single-part scan line files are taken, and their table of chunks is checked here before
-// tinyexr decodes them: each block of lines must be present exactly once and lie inside the file.
+// EXR through tinyexr. Only single-part scan line files are taken, and their table of chunks is checked here
+// before tinyexr decodes them: each block of lines must be present exactly once and lie inside the file.
 #include <fmt/core.h>
 #include <tinyexr.h>
 
@@ -16,10 +16,10 @@
 namespace sg::asset {
 namespace {
 
-constexpr std::size_t kVersionSize = 8;                    // magic number and version
-constexpr std::uint64_t kMostDecodedBytes = 1ull << 32;    // of all channels together
-constexpr std::uint64_t kMostInflation = 1032;             // bytes that one byte of a deflate stream can become
-constexpr std::size_t kLongestName = 31;                   // of a channel, without the "long names" flag
+constexpr std::size_t kVersionSize = 8;                  // magic number and version
+constexpr std::uint64_t kMostDecodedBytes = 1ull << 32;  // of all channels together
+constexpr std::uint64_t kMostInflation = 1032;           // bytes that one byte of a deflate stream can become
+constexpr std::size_t kLongestName = 31;                 // of a channel, without the "long names" flag
 
 struct OwnedHeader {
     EXRHeader header;
@@ -74,8 +74,10 @@ std::string check_chunks(const ImageSource& source, const EXRHeader& header, std
         const auto at = load<std::uint64_t>(source.bytes, table + 8 * i);
         if (at < table || at > size || size - at < 8) return "a chunk lies outside the file";
         const auto length = load<std::int32_t>(source.bytes, at + 4);
-        if (length <= 0 || static_cast<std::uint64_t>(length) > size - at - 8) return "a chunk lies outside the file";
-        const std::int64_t line = std::int64_t{load<std::int32_t>(source.bytes, at)} - header.data_window.min_y;
+        if (length <= 0 || static_cast<std::uint64_t>(length) > size - at - 8)
+            return "a chunk lies outside the file";
+        const std::int64_t line =
+            std::int64_t{load<std::int32_t>(source.bytes, at)} - header.data_window.min_y;
         if (line < 0 || line >= height || line % lines != 0 || seen[static_cast<std::size_t>(line / lines)])
             return "a chunk has a wrong line number";
         seen[static_cast<std::size_t>(line / lines)] = true;
@@ -89,16 +91,19 @@ std::string check_channels(const ImageSource& source, const EXRHeader& header, s
     std::uint64_t texel_size = 0;
     for (int i = 0; i < header.num_channels; ++i) {
         const EXRChannelInfo& channel = header.channels[i];
-        if (channel.x_sampling != 1 || channel.y_sampling != 1) return "subsampled channels, expected full ones";
+        if (channel.x_sampling != 1 || channel.y_sampling != 1)
+            return "subsampled channels, expected full ones";
         if (channel.pixel_type < 0 || channel.pixel_type > 2) return "a channel of an unknown type";
         texel_size += channel.pixel_type == TINYEXR_PIXELTYPE_HALF ? 2 : 4;
     }
     if (texels * 4 * static_cast<std::uint64_t>(header.num_channels) > kMostDecodedBytes)
         return fmt::format("{} channels are too many for its size", header.num_channels);
-    if (header.compression_type < TINYEXR_COMPRESSIONTYPE_NONE || header.compression_type > TINYEXR_COMPRESSIONTYPE_PIZ)
+    if (header.compression_type < TINYEXR_COMPRESSIONTYPE_NONE ||
+        header.compression_type > TINYEXR_COMPRESSIONTYPE_PIZ)
         return "unsupported compression, expected none, RLE, ZIPS, ZIP or PIZ";
     const bool deflated = header.compression_type != TINYEXR_COMPRESSIONTYPE_PIZ;
-    if (deflated && texels * texel_size > source.bytes.size() * kMostInflation) return "too few bytes for its size";
+    if (deflated && texels * texel_size > source.bytes.size() * kMostInflation)
+        return "too few bytes for its size";
     return "";
 }
 
@@ -165,7 +170,8 @@ double channel_value(const EXRHeader& header, const EXRImage& image, int channel
     return static_cast<double>(number);
 }
 
-ExrLayer make_layer(const std::string& name, const Suffixes& suffixes, const EXRHeader& header, const EXRImage& exr) {
+ExrLayer make_layer(const std::string& name, const Suffixes& suffixes, const EXRHeader& header,
+                    const EXRImage& exr) {
     const std::vector<int> order = order_channels(suffixes);
     ExrLayer layer{name, static_cast<int>(order.size()),
                    make_image(static_cast<std::uint32_t>(exr.width), static_cast<std::uint32_t>(exr.height),
@@ -175,7 +181,8 @@ ExrLayer make_layer(const std::string& name, const Suffixes& suffixes, const EXR
             const std::size_t texel = static_cast<std::size_t>(y) * layer.image.width + x;
             for (int c = 0; c < 4; ++c) {
                 double value = c == 3 ? 1.0 : 0.0;
-                if (c < layer.channels) value = channel_value(header, exr, order[static_cast<std::size_t>(c)], texel);
+                if (c < layer.channels)
+                    value = channel_value(header, exr, order[static_cast<std::size_t>(c)], texel);
                 if (c < 3 && layer.channels == 1) value = channel_value(header, exr, order[0], texel);
                 layer.image.set(x, y, c, value);
             }
@@ -189,8 +196,10 @@ std::map<std::string, Suffixes> group_channels(const EXRHeader& header) {
     for (int i = 0; i < header.num_channels; ++i) {
         const std::string full = header.channels[i].name;
         const std::size_t dot = full.rfind('.');
-        if (dot == std::string::npos) layers[""][full] = i;
-        else layers[full.substr(0, dot)][full.substr(dot + 1)] = i;
+        if (dot == std::string::npos)
+            layers[""][full] = i;
+        else
+            layers[full.substr(0, dot)][full.substr(dot + 1)] = i;
     }
     return layers;
 }
@@ -200,7 +209,8 @@ std::optional<std::vector<ExrLayer>> read_layers(const ImageSource& source, Diag
     EXRHeader& header = owned.header;
     if (!parse_header(source, header, diags) || !check_header(source, header, diags)) return std::nullopt;
     for (int i = 0; i < header.num_channels; ++i)
-        if (header.pixel_types[i] == TINYEXR_PIXELTYPE_HALF) header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
+        if (header.pixel_types[i] == TINYEXR_PIXELTYPE_HALF)
+            header.requested_pixel_types[i] = TINYEXR_PIXELTYPE_FLOAT;
     OwnedImage exr;
     exr.image.num_channels = header.num_channels;  // tinyexr sets it last, but frees by it when it fails
     const char* message = nullptr;
@@ -267,7 +277,8 @@ std::string encode(std::vector<Plane>& planes, const Image& size) {
 
 }  // namespace
 
-std::optional<std::vector<ExrLayer>> read_exr_layers(std::string_view bytes, std::string_view name, Diags& diags) {
+std::optional<std::vector<ExrLayer>> read_exr_layers(std::string_view bytes, std::string_view name,
+                                                     Diags& diags) {
     const Place nowhere;
     return read_layers(ImageSource{bytes, name, nowhere}, diags);
 }

@@ -21,7 +21,9 @@ struct Header {
     std::size_t data = 0;  // offset of the first float
 };
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 // The next run of characters that are not white space; "" at the end.
 std::string_view next_word(std::string_view bytes, std::size_t& at) {
@@ -71,17 +73,20 @@ std::optional<Image> read_pfm(const ImageSource& source, Diags& diags) {
     const std::uint64_t texel_size = 4u * static_cast<unsigned>(header->channels);
     const std::uint64_t expected = header->width * header->height * texel_size;
     if (source.bytes.size() - header->data < expected) {
-        report_bad_image(source, fmt::format("damaged PFM ({} bytes of numbers, expected {})",
-                                             source.bytes.size() - header->data, expected), diags);
+        report_bad_image(source,
+                         fmt::format("damaged PFM ({} bytes of numbers, expected {})",
+                                     source.bytes.size() - header->data, expected),
+                         diags);
         return std::nullopt;
     }
-    Image image = make_image(static_cast<std::uint32_t>(header->width), static_cast<std::uint32_t>(header->height),
-                             TexelFormat::float32);
+    Image image = make_image(static_cast<std::uint32_t>(header->width),
+                             static_cast<std::uint32_t>(header->height), TexelFormat::float32);
     const char* from = source.bytes.data() + header->data;
     for (std::uint32_t row = image.height; row-- > 0;) {
         for (std::uint32_t x = 0; x < image.width; ++x, from += texel_size) {
             for (int c = 0; c < 3; ++c)
-                image.set(x, row, c, load_float(from + 4 * (header->channels == 3 ? c : 0), header->little_endian));
+                image.set(x, row, c,
+                          load_float(from + 4 * (header->channels == 3 ? c : 0), header->little_endian));
             image.set(x, row, 3, 1.0);
         }
     }

@@ -12,14 +12,16 @@
 namespace sg::asset {
 namespace {
 
-constexpr unsigned kGammaOfSrgb = 45455;  // a gAMA chunk's 100000 / 2.2
+constexpr unsigned kGammaOfSrgb = 45455;        // a gAMA chunk's 100000 / 2.2
 constexpr std::uint64_t kMostInflation = 1032;  // bytes that one byte of a deflate stream can become
 
 struct Free {
     void operator()(unsigned char* p) const { std::free(p); }
 };
 
-const unsigned char* data_of(std::string_view bytes) { return reinterpret_cast<const unsigned char*>(bytes.data()); }
+const unsigned char* data_of(std::string_view bytes) {
+    return reinterpret_cast<const unsigned char*>(bytes.data());
+}
 
 // PNG keeps 16-bit numbers big-endian.
 void swap_pairs_if_little(std::vector<std::uint8_t>& bytes) {
@@ -60,8 +62,10 @@ std::optional<Image> read_png(const ImageSource& source, Diags& diags) {
     }
     if (!check_image_size(source, width, height, diags)) return std::nullopt;
     if (!plausible_size(source, width, height, state)) {
-        report_bad_image(source, fmt::format("damaged PNG ({} bytes cannot hold {} x {} texels)",
-                                             source.bytes.size(), width, height), diags);
+        report_bad_image(source,
+                         fmt::format("damaged PNG ({} bytes cannot hold {} x {} texels)", source.bytes.size(),
+                                     width, height),
+                         diags);
         return std::nullopt;
     }
     const bool wide = state.info_png.color.bitdepth == 16;

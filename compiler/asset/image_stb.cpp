@@ -24,8 +24,9 @@ struct Free {
     void operator()(void* p) const { stbi_image_free(p); }
 };
 
-// Texels that one byte of each format can stand for at most, generously: progressive JPEG spends at least a bit per
-// 8x8 block, run lengths of TGA and HDR reach 128 texels. Keeps a few hostile bytes from asking for gigabytes.
+// Texels that one byte of each format can stand for at most, generously: progressive JPEG spends at least a
+// bit per 8x8 block, run lengths of TGA and HDR reach 128 texels. Keeps a few hostile bytes from asking for
+// gigabytes.
 constexpr std::uint64_t kMostTexelsPerByte = 512;
 
 bool plausible_size(const ImageSource& source, int width, int height) {
@@ -33,8 +34,31 @@ bool plausible_size(const ImageSource& source, int width, int height) {
            source.bytes.size() * kMostTexelsPerByte;
 }
 
-const stbi_uc* data_of(const ImageSource& source) { return reinterpret_cast<const stbi_uc*>(source.bytes.data()); }
-int size_of(const ImageSource& source) { return static_cast<int>(source.bytes.size()); }
+// The packaged stb_image trusts the code counts of a JPEG's Huffman tables and would write past its arrays.
+// Every such segment that it can meet starts with FF C4; this walks their tables as it does.
+bool huffman_tables_fit(std::string_view bytes) {
+    auto byte = [&](std::size_t at) { return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0; };
+    for (std::size_t at = bytes.find("\xff\xc4"); at != std::string_view::npos;
+         at = bytes.find("\xff\xc4", at + 1)) {
+        int left = byte(at + 2) * 256 + byte(at + 3) - 2;
+        std::size_t table = at + 4;
+        while (left > 0 && byte(table) >> 4 <= 1 && (byte(table) & 15) <= 3) {
+            int codes = 0;
+            for (std::size_t i = 1; i <= 16; ++i) codes += byte(table + i);
+            if (codes > 256) return false;
+            table += 17 + static_cast<std::size_t>(codes);
+            left -= 17 + codes;
+        }
+    }
+    return true;
+}
+
+const stbi_uc* data_of(const ImageSource& source) {
+    return reinterpret_cast<const stbi_uc*>(source.bytes.data());
+}
+int size_of(const ImageSource& source) {
+    return static_cast<int>(source.bytes.size());
+}
 
 template <class Texel>
 std::optional<Image> take(const ImageSource& source, Texel* raw, int width, int height, Diags& diags) {
@@ -59,6 +83,10 @@ std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
                                 source.bytes.size()));
         return std::nullopt;
     }
+    if (source.bytes.starts_with("\xff\xd8") && !huffman_tables_fit(source.bytes)) {
+        report_bad_image(source, "damaged JPEG (a Huffman table has more than 256 codes)", diags);
+        return std::nullopt;
+    }
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(data_of(source), size_of(source), &width, &height, &channels)) {
         report_bad_image(source, "expected PNG, JPEG, EXR, PFM, HDR, TGA or BMP", diags);
@@ -68,8 +96,10 @@ std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
                           static_cast<std::uint64_t>(std::max(height, 0)), diags))
         return std::nullopt;
     if (!plausible_size(source, width, height)) {
-        report_bad_image(source, fmt::format("damaged file ({} bytes cannot hold {} x {} texels)",
-                                             source.bytes.size(), width, height), diags);
+        report_bad_image(source,
+                         fmt::format("damaged file ({} bytes cannot hold {} x {} texels)",
+                                     source.bytes.size(), width, height),
+                         diags);
         return std::nullopt;
     }
     if (stbi_is_hdr_from_memory(data_of(source), size_of(source))) {

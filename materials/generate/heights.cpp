@@ -7,9 +7,23 @@
 namespace sg::samples {
 namespace {
 
-enum Purpose : std::uint32_t { kTiltS = 1, kTiltT, kLift, kGrain, kMortar, kWear, kPlaceS, kPlaceT, kSlant, kLength, kDepth };
+enum Purpose : std::uint32_t {
+    kTiltS = 1,
+    kTiltT,
+    kLift,
+    kGrain,
+    kMortar,
+    kWear,
+    kPlaceS,
+    kPlaceT,
+    kSlant,
+    kLength,
+    kDepth
+};
 
-double centred_random(int i, int j, std::uint32_t purpose) { return 2.0 * random_of(i, j, purpose) - 1.0; }
+double centred_random(int i, int j, std::uint32_t purpose) {
+    return 2.0 * random_of(i, j, purpose) - 1.0;
+}
 
 // Distance to the border of a box with round corners, positive inside.
 double inside_round_box(double x, double y, double half_width, double half_height, double radius) {
@@ -20,8 +34,8 @@ double inside_round_box(double x, double y, double half_width, double half_heigh
 
 }  // namespace
 
-// Running bond, 3 bricks across and 6 courses. Each brick is worn at its edge (more so at its lower one), lies a little
-// higher or lower than its neighbours, and leans.
+// Running bond, 3 bricks across and 6 courses. Each brick is worn at its edge (more so at its lower one),
+// lies a little higher or lower than its neighbours, and leans.
 double brick_height(double s, double t) {
     constexpr double kWidth = 1.0 / 3.0, kHeight = 1.0 / 6.0, kJoint = 0.010;
     const int course = static_cast<int>(std::floor(t / kHeight));
@@ -32,9 +46,10 @@ double brick_height(double s, double t) {
     const double edge = inside_round_box(x, y, 0.5 * kWidth - kJoint, 0.5 * kHeight - kJoint, 0.012) + wear;
     const double edge_width = 0.014 + 0.010 * smooth(clamp01(y / kHeight + 0.5));
     const double rise = bevel(edge / edge_width);
-    const double face = 0.014 + 0.003 * centred_random(brick, row, kLift) + 0.030 * centred_random(brick, row, kTiltS) * x +
-                        0.070 * centred_random(brick, row, kTiltT) * y + 0.0010 * value_noise(s, t, 64, kGrain) +
-                        0.0018 * value_noise(s, t, 20, kGrain);
+    const double face = 0.014 + 0.003 * centred_random(brick, row, kLift) +
+                        0.030 * centred_random(brick, row, kTiltS) * x +
+                        0.070 * centred_random(brick, row, kTiltT) * y +
+                        0.0010 * value_noise(s, t, 64, kGrain) + 0.0018 * value_noise(s, t, 20, kGrain);
     const double mortar = 0.0016 * value_noise(s, t, 48, kMortar);
     return mix(mortar, face, rise);
 }
@@ -55,9 +70,13 @@ std::array<Scratch, kScratches> make_scratches() {
     for (int i = 0; i < kScratches; ++i) {
         const double slant = i % 8 ? 0.35 + 0.3 * centred_random(i, 0, kSlant) : -1.6;
         const double length = std::sqrt(1.0 + slant * slant);
-        out[static_cast<std::size_t>(i)] = {random_of(i, 0, kPlaceS), random_of(i, 0, kPlaceT), 1.0 / length, slant / length,
+        out[static_cast<std::size_t>(i)] = {random_of(i, 0, kPlaceS),
+                                            random_of(i, 0, kPlaceT),
+                                            1.0 / length,
+                                            slant / length,
                                             0.08 + 0.34 * random_of(i, 0, kLength) * random_of(i, 1, kLength),
-                                            0.004 + 0.004 * random_of(i, 0, kTiltS), 0.0010 + 0.0022 * random_of(i, 0, kDepth)};
+                                            0.004 + 0.004 * random_of(i, 0, kTiltS),
+                                            0.0010 + 0.0022 * random_of(i, 0, kDepth)};
     }
     return out;
 }
@@ -94,10 +113,14 @@ double scratch_height(double s, double t) {
 
 namespace {
 
-// Twill: a warp thread (running along t) passes over two wefts and under one; each next thread one crossing later.
-bool warp_is_over(int warp, int weft, int threads) { return wrap(wrap(warp, threads) + wrap(weft, threads), 3) != 0; }
+// Twill: a warp thread (running along t) passes over two wefts and under one; each next thread one crossing
+// later.
+bool warp_is_over(int warp, int weft, int threads) {
+    return wrap(wrap(warp, threads) + wrap(weft, threads), 3) != 0;
+}
 
-// +1 where a thread is on top of a crossing, -1 where it is below, smooth in between. `x` counts crossings along it.
+// +1 where a thread is on top of a crossing, -1 where it is below, smooth in between. `x` counts crossings
+// along it.
 template <class IsOver>
 double undulation(double x, IsOver is_over) {
     const double centre = std::floor(x - 0.5);
@@ -119,7 +142,8 @@ double weave_height(double s, double t) {
     constexpr double kThickness = 0.030, kCover = 0.94;
     const double x = s * kThreads, y = t * kThreads;
     const int warp = static_cast<int>(std::floor(x)), weft = static_cast<int>(std::floor(y));
-    const double across_warp = (fraction(x) - 0.5) * 2.0 / kCover, across_weft = (fraction(y) - 0.5) * 2.0 / kCover;
+    const double across_warp = (fraction(x) - 0.5) * 2.0 / kCover,
+                 across_weft = (fraction(y) - 0.5) * 2.0 / kCover;
     const double warp_lift = undulation(y, [&](int j) { return warp_is_over(warp, j, kThreads); });
     const double weft_lift = undulation(x, [&](int i) { return !warp_is_over(i, weft, kThreads); });
     const double up = thread(across_warp, y, 0.8) + 0.55 * warp_lift;
@@ -145,8 +169,8 @@ double inside_f(double x, double y) {
 
 }  // namespace
 
-// A chart of four panels on flat ground: a raised F (upper left), fins rising along +s (upper right), fins rising along +t
-// (lower left), and a dome beside a smaller dent (lower right).
+// A chart of four panels on flat ground: a raised F (upper left), fins rising along +s (upper right), fins
+// rising along +t (lower left), and a dome beside a smaller dent (lower right).
 double ramp_height(double s, double t) {
     constexpr double kFin = 0.020;
     const double x = fraction(2.0 * s), y = fraction(2.0 * t);
@@ -171,10 +195,13 @@ struct Pebble {
 
 Pebble pebble_of(int i, int j) {
     const int wi = wrap(i, kPebbles), wj = wrap(j, kPebbles);
-    return {i, j, i + 0.5 + 0.36 * centred_random(wi, wj, kPlaceS), j + 0.5 + 0.36 * centred_random(wi, wj, kPlaceT)};
+    return {i, j, i + 0.5 + 0.36 * centred_random(wi, wj, kPlaceS),
+            j + 0.5 + 0.36 * centred_random(wi, wj, kPlaceT)};
 }
 
-double squared_distance(const Pebble& p, double x, double y) { return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y); }
+double squared_distance(const Pebble& p, double x, double y) {
+    return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
+}
 
 Pebble nearest_pebble(double x, double y, int i, int j) {
     Pebble best = pebble_of(i, j);
@@ -187,7 +214,8 @@ Pebble nearest_pebble(double x, double y, int i, int j) {
     return best;
 }
 
-// Distance from (x, y) to the nearest line half way between `home` and another pebble, rounded where lines meet.
+// Distance from (x, y) to the nearest line half way between `home` and another pebble, rounded where lines
+// meet.
 double distance_to_border(const Pebble& home, double x, double y) {
     double product = 1.0;
     for (int dj = -2; dj <= 2; ++dj) {
@@ -195,7 +223,8 @@ double distance_to_border(const Pebble& home, double x, double y) {
             if (di == 0 && dj == 0) continue;
             const Pebble other = pebble_of(home.i + di, home.j + dj);
             const double apart = std::sqrt(squared_distance(other, home.x, home.y));
-            const double distance = (squared_distance(other, x, y) - squared_distance(home, x, y)) / (2.0 * apart);
+            const double distance =
+                (squared_distance(other, x, y) - squared_distance(home, x, y)) / (2.0 * apart);
             product *= bevel((distance - 0.04) / 0.42);
         }
     }
@@ -207,7 +236,8 @@ double distance_to_border(const Pebble& home, double x, double y) {
 // Rounded stones, packed, each with a height of its own and lower on its lower right side.
 double pebble_height(double s, double t) {
     const double x = s * kPebbles, y = t * kPebbles;
-    const Pebble home = nearest_pebble(x, y, static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
+    const Pebble home =
+        nearest_pebble(x, y, static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
     const int i = wrap(home.i, kPebbles), j = wrap(home.j, kPebbles);
     const double size = 0.022 + 0.014 * random_of(i, j, kLift);
     const double lean = 1.0 - 0.30 * ((x - home.x) + 0.6 * (y - home.y));

@@ -1,5 +1,6 @@
-// The height functions behind the sample textures: analytic, tileable, and without any symmetry that would hide a
-// flipped sign. Only + - * / sqrt, comparisons and integers, so that every machine computes the same bits.
+// The height functions behind the sample textures: analytic, tileable, and without any symmetry that would
+// hide a flipped sign. Only + - * / sqrt, comparisons and integers, so that every machine computes the same
+// bits.
 //
 // s and t are texture coordinates (t downward), periodic with period 1; heights are in widths of the tile.
 #pragma once

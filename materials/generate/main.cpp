@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
     }
     std::vector<std::pair<std::filesystem::path, std::string>> contents;
     for (const sg::samples::TextureRecipe& recipe : sg::samples::texture_recipes())
-        contents.emplace_back(std::filesystem::path(argv[1]) / recipe.file, sg::samples::make_texture(recipe));
+        contents.emplace_back(std::filesystem::path(argv[1]) / recipe.file,
+                              sg::samples::make_texture(recipe));
     sg::RealFiles files;
     sg::Diags diags;
     sg::write_or_report(files, contents, diags);

@@ -7,10 +7,18 @@
 
 namespace sg::samples {
 
-inline double clamp01(double x) { return std::min(std::max(x, 0.0), 1.0); }
-inline double fraction(double x) { return x - std::floor(x); }
-inline double smooth(double x) { return x * x * (3.0 - 2.0 * x); }
-inline double mix(double a, double b, double x) { return a + (b - a) * x; }
+inline double clamp01(double x) {
+    return std::min(std::max(x, 0.0), 1.0);
+}
+inline double fraction(double x) {
+    return x - std::floor(x);
+}
+inline double smooth(double x) {
+    return x * x * (3.0 - 2.0 * x);
+}
+inline double mix(double a, double b, double x) {
+    return a + (b - a) * x;
+}
 
 // 0 below x = 0, 1 above x = 1, steep at first and level at the end: the profile of a worn edge.
 inline double bevel(double x) {
@@ -25,15 +33,19 @@ inline double wave(double x) {
 }
 
 // i modulo n, never negative.
-inline int wrap(int i, int n) { return ((i % n) + n) % n; }
+inline int wrap(int i, int n) {
+    return ((i % n) + n) % n;
+}
 
 // The shortest way from b to a on a circle of circumference 1.
-inline double wrapped_difference(double a, double b) { return fraction(a - b + 0.5) - 0.5; }
+inline double wrapped_difference(double a, double b) {
+    return fraction(a - b + 0.5) - 0.5;
+}
 
 // A number in [0, 1) for each pair of integers and purpose.
 inline double random_of(int i, int j, std::uint32_t purpose) {
-    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u ^ static_cast<std::uint32_t>(j) * 0x85ebca77u ^
-                      purpose * 0xc2b2ae3du;
+    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u ^
+                      static_cast<std::uint32_t>(j) * 0x85ebca77u ^ purpose * 0xc2b2ae3du;
     h = (h ^ h >> 15) * 0x2c1b3c6du;
     h = (h ^ h >> 12) * 0x297a2d39u;
     return (h ^ h >> 15) / 4294967296.0;

@@ -36,11 +36,15 @@ Slope mean_slope(double (*height)(double, double), double s, double t, double te
 }
 
 // The 8-bit code of `value` in [-1, 1], as a texel.
-double encode(double value, double zero) { return (zero + value * (zero == 127.5 ? 127.5 : 127.0)) / 255.0; }
+double encode(double value, double zero) {
+    return (zero + value * (zero == 127.5 ? 127.5 : 127.0)) / 255.0;
+}
 
 }  // namespace
 
-std::span<const TextureRecipe> texture_recipes() { return kRecipes; }
+std::span<const TextureRecipe> texture_recipes() {
+    return kRecipes;
+}
 
 std::string make_texture(const TextureRecipe& recipe) {
     asset::Image image = asset::make_image(recipe.size, recipe.size, asset::TexelFormat::unorm8);

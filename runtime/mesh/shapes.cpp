@@ -38,7 +38,8 @@ void add_quads(asset::Mesh& mesh, std::uint32_t first, int columns, int rows) {
     const auto pitch = static_cast<std::uint32_t>(columns + 1);
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            const std::uint32_t upper = first + static_cast<std::uint32_t>(row) * pitch + static_cast<std::uint32_t>(column);
+            const std::uint32_t upper =
+                first + static_cast<std::uint32_t>(row) * pitch + static_cast<std::uint32_t>(column);
             const std::uint32_t lower = upper + pitch;
             add_triangle(mesh, upper, lower, lower + 1);
             add_triangle(mesh, upper, lower + 1, upper + 1);
@@ -48,7 +49,8 @@ void add_quads(asset::Mesh& mesh, std::uint32_t first, int columns, int rows) {
 
 // Vertices of the rows first_row..last_row of a chart, (columns + 1) in each, and the quads between them.
 template <class Chart>
-void add_grid(asset::Mesh& mesh, int columns, int rows, int first_row, int last_row, bool mirror_u, Chart chart) {
+void add_grid(asset::Mesh& mesh, int columns, int rows, int first_row, int last_row, bool mirror_u,
+              Chart chart) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (int row = first_row; row <= last_row; ++row) {
         for (int column = 0; column <= columns; ++column) {
@@ -87,7 +89,9 @@ asset::Mesh named(std::string_view name) {
 
 }  // namespace
 
-std::span<const std::string_view> shape_names() { return kNames; }
+std::span<const std::string_view> shape_names() {
+    return kNames;
+}
 
 std::optional<asset::Mesh> make_shape(std::string_view name) {
     if (name == "plane") return make_plane(16, false);
@@ -126,8 +130,9 @@ asset::Mesh make_torus(int major_segments, int minor_segments, float R, float r,
     major_segments = std::max(major_segments, 3);
     minor_segments = std::max(minor_segments, 3);
     asset::Mesh mesh = named("torus");
-    add_grid(mesh, major_segments, minor_segments, 0, minor_segments, mirror_u,
-             [R, r](glm::dvec2 st) { return torus_point(st, static_cast<double>(R), static_cast<double>(r)); });
+    add_grid(mesh, major_segments, minor_segments, 0, minor_segments, mirror_u, [R, r](glm::dvec2 st) {
+        return torus_point(st, static_cast<double>(R), static_cast<double>(r));
+    });
     return mesh;
 }
 
@@ -141,8 +146,8 @@ asset::Mesh make_cube() {
     asset::Mesh mesh = named("cube");
     for (const Face& face : kFaces) {
         add_grid(mesh, 1, 1, 0, 1, false, [&](glm::dvec2 st) {
-            return Point{face.normal + (2.0 * st.x - 1.0) * face.right + (1.0 - 2.0 * st.y) * face.up, face.normal,
-                         face.right};
+            return Point{face.normal + (2.0 * st.x - 1.0) * face.right + (1.0 - 2.0 * st.y) * face.up,
+                         face.normal, face.right};
         });
     }
     return mesh;

@@ -33,10 +33,12 @@ std::string slurp(const fs::path& path) {
     return std::move(text).str();
 }
 
-std::vector<fs::path> files_below(const fs::path& folder, std::initializer_list<std::string_view> extensions) {
+std::vector<fs::path> files_below(const fs::path& folder,
+                                  std::initializer_list<std::string_view> extensions) {
     std::vector<fs::path> out;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (std::find(extensions.begin(), extensions.end(), entry.path().extension().string()) != extensions.end())
+        if (std::find(extensions.begin(), extensions.end(), entry.path().extension().string()) !=
+            extensions.end())
             out.push_back(entry.path());
     std::sort(out.begin(), out.end());
     return out;
@@ -87,10 +89,12 @@ TEST(Corpus, PngSuitePixelsAreRight) {
 
 TEST(Corpus, ImagesGiveAValueOrAnError) {
     int values = 0, errors = 0;
-    for (const char* folder : {"png", "jpeg", "made", "textures", "fuzz", "ktx2", "dds", "materialx", "decals"}) {
+    for (const char* folder :
+         {"png", "jpeg", "made", "textures", "fuzz", "ktx2", "dds", "materialx", "decals"}) {
         if (!present(kData / folder)) continue;
-        for (const fs::path& path : files_below(kData / folder, {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".hdr", ".exr",
-                                                                 ".pfm", ".dds", ".ktx2", ".json"})) {
+        for (const fs::path& path :
+             files_below(kData / folder, {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".hdr", ".exr", ".pfm",
+                                          ".dds", ".ktx2", ".json"})) {
             Diags diags;
             const auto image = read_image(slurp(path), path.filename().string(), Place{}, diags);
             EXPECT_EQ(diags.error_count(), image ? 0u : 1u) << path;
@@ -166,7 +170,8 @@ TEST(Corpus, ExpectedRejectionsAreRejections) {
         const fs::path path = kData / "made" / row[0];
         const bool mesh = path.extension() == ".glb";
         Diags diags;
-        const bool value = mesh ? scene_is_sound(path, diags) : read_image(slurp(path), row[0], Place{}, diags).has_value();
+        const bool value =
+            mesh ? scene_is_sound(path, diags) : read_image(slurp(path), row[0], Place{}, diags).has_value();
         EXPECT_FALSE(value) << row[0];
     }
 }

@@ -15,7 +15,8 @@ struct Builder {
     int count = 0;
 
     template <class T>
-    int add(const std::vector<T>& numbers, int component_type, const char* type, int width, const char* extra = "") {
+    int add(const std::vector<T>& numbers, int component_type, const char* type, int width,
+            const char* extra = "") {
         while (bytes.size() % 4) bytes.push_back('\0');
         const std::size_t begin = bytes.size(), length = numbers.size() * sizeof(T);
         bytes.append(reinterpret_cast<const char*>(numbers.data()), length);
@@ -30,19 +31,21 @@ struct Builder {
 
     [[nodiscard]] std::string json(const std::string& rest) const {
         return R"({"asset":{"version":"2.0"},"buffers":[{"uri":"a%20b.bin","byteLength":)" +
-               std::to_string(bytes.size()) + R"(}],"bufferViews":[)" + views + R"(],"accessors":[)" + accessors + "]," +
-               rest + "}";
+               std::to_string(bytes.size()) + R"(}],"bufferViews":[)" + views + R"(],"accessors":[)" +
+               accessors + "]," + rest + "}";
     }
 };
 
-// A unit square in XY as a strip: positions, normals, tangents, normalised uvs, colours without alpha, u8 indices.
+// A unit square in XY as a strip: positions, normals, tangents, normalised uvs, colours without alpha, u8
+// indices.
 Builder square() {
     Builder b;
     b.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, 5126, "VEC3", 3);
     b.add<float>({0, 0, 2, 0, 0, 2, 0, 0, 2, 0, 0, 2}, 5126, "VEC3", 3);
     b.add<float>({3, 0, 0, 1, 3, 0, 0, 1, 3, 0, 0, -1, 0, 0, 0, 1}, 5126, "VEC4", 4);
     b.add<std::uint16_t>({0, 65535, 65535, 65535, 0, 0, 65535, 0}, 5123, "VEC2", 2, R"(,"normalized":true)");
-    b.add<std::uint8_t>({255, 0, 51, 255, 0, 51, 255, 0, 51, 255, 0, 51}, 5121, "VEC3", 3, R"(,"normalized":true)");
+    b.add<std::uint8_t>({255, 0, 51, 255, 0, 51, 255, 0, 51, 255, 0, 51}, 5121, "VEC3", 3,
+                        R"(,"normalized":true)");
     b.add<std::uint8_t>({0, 1, 2, 3}, 5121, "SCALAR", 1);
     return b;
 }
@@ -82,7 +85,8 @@ TEST(Gltf, ReadsEachAttributeInOurConventions) {
 
 TEST(Gltf, MissingNormalsBecomeFlatOnesAndDropTangents) {
     Diags diags;
-    const auto scene = read(square(), R"("meshes":[{"primitives":[{"mode":6,"attributes":{"POSITION":0,"TANGENT":2}}]}])", diags);
+    const auto scene = read(
+        square(), R"("meshes":[{"primitives":[{"mode":6,"attributes":{"POSITION":0,"TANGENT":2}}]}])", diags);
     ASSERT_TRUE(scene) << render(diags);
     const Mesh& mesh = scene->meshes.at(0);
     EXPECT_EQ(mesh.positions.size(), 6u);
@@ -96,7 +100,8 @@ TEST(Gltf, NodesNestAndMirroredOnesKeepTheirDeterminant) {
     const auto scene = read(square(), kStrip + R"(,"scene":0,"scenes":[{"nodes":[1]}],"nodes":[
         {"name":"child","mesh":0,"translation":[0,0,5],"rotation":[0,0,0.70710678,0.70710678]},
         {"name":"parent","scale":[-2,1,1],"children":[0,2]},
-        {"name":"matrix","mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 7,8,9,1]}])", diags);
+        {"name":"matrix","mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 7,8,9,1]}])",
+                            diags);
     ASSERT_TRUE(scene) << render(diags);
     ASSERT_EQ(scene->instances.size(), 2u);
     EXPECT_EQ(scene->instances[0].node, "child");
@@ -123,7 +128,8 @@ TEST(Gltf, PicturesAreNotRead) {
     MemoryFiles files;
     const Builder b = square();
     files.contents["a b.bin"] = b.bytes;
-    files.contents["a.gltf"] = b.json(kStrip + R"(,"images":[{"uri":"wall.PNG"},{"uri":"data:image/png;base64,iVBORw0KGgo="}])");
+    files.contents["a.gltf"] =
+        b.json(kStrip + R"(,"images":[{"uri":"wall.PNG"},{"uri":"data:image/png;base64,iVBORw0KGgo="}])");
     files.contents["wall.PNG"] = "no picture";
     Diags diags;
     ASSERT_TRUE(read_gltf(files, "a.gltf", diags)) << render(diags);

@@ -20,7 +20,9 @@ std::vector<ExrLayer> sample_layers() {
     return {{"uv", 2, numbers(5)}, {"", 4, numbers(0)}, {"normal", 3, numbers(-9)}, {"id", 1, numbers(100)}};
 }
 
-std::optional<Image> read(std::string_view bytes, Diags& diags) { return read_image(bytes, "a.exr", Place{}, diags); }
+std::optional<Image> read(std::string_view bytes, Diags& diags) {
+    return read_image(bytes, "a.exr", Place{}, diags);
+}
 
 TEST(Exr, LayersRoundTripExactly) {
     const std::string bytes = exr_bytes(sample_layers());
@@ -30,7 +32,8 @@ TEST(Exr, LayersRoundTripExactly) {
     ASSERT_TRUE(layers) << render(diags);
     ASSERT_EQ(layers->size(), 4u);
     for (const ExrLayer& expected : sample_layers()) {
-        const auto found = std::find_if(layers->begin(), layers->end(), [&](auto& l) { return l.name == expected.name; });
+        const auto found =
+            std::find_if(layers->begin(), layers->end(), [&](auto& l) { return l.name == expected.name; });
         ASSERT_NE(found, layers->end()) << expected.name;
         EXPECT_EQ(found->channels, expected.channels);
         for (int c = 0; c < expected.channels; ++c)
@@ -41,7 +44,8 @@ TEST(Exr, LayersRoundTripExactly) {
 TEST(Exr, ChannelNamesAreSortedInTheFile) {
     const std::string bytes = exr_bytes(sample_layers());
     std::size_t last = 0;
-    for (const std::string name : {"A", "B", "G", "R", "id.R", "normal.B", "normal.G", "normal.R", "uv.G", "uv.R"}) {
+    for (const std::string name :
+         {"A", "B", "G", "R", "id.R", "normal.B", "normal.G", "normal.R", "uv.G", "uv.R"}) {
         const std::size_t at = bytes.find('\0' + name + '\0', last ? last : bytes.find("chlist"));
         ASSERT_NE(at, std::string::npos) << name;
         last = at;
@@ -71,7 +75,10 @@ TEST(Exr, EveryPrefixIsRefused) {
 // A simple generator, so that each machine damages the same bytes.
 struct Lcg {
     std::uint64_t state = 12345;
-    std::uint32_t next() { return static_cast<std::uint32_t>((state = state * 6364136223846793005ull + 1442695040888963407ull) >> 33); }
+    std::uint32_t next() {
+        return static_cast<std::uint32_t>((state = state * 6364136223846793005ull + 1442695040888963407ull) >>
+                                          33);
+    }
 };
 
 TEST(Exr, DamagedBytesGiveAValueOrOneError) {

@@ -12,11 +12,14 @@ Image gradient(std::uint32_t width, std::uint32_t height, TexelFormat format) {
     Image image = make_image(width, height, format);
     for (std::uint32_t y = 0; y < height; ++y)
         for (std::uint32_t x = 0; x < width; ++x)
-            for (int c = 0; c < 4; ++c) image.set(x, y, c, (x + 3.0 * y + 7.0 * c) / (width + 3.0 * height + 21.0));
+            for (int c = 0; c < 4; ++c)
+                image.set(x, y, c, (x + 3.0 * y + 7.0 * c) / (width + 3.0 * height + 21.0));
     return image;
 }
 
-std::optional<Image> read(std::string_view bytes, Diags& diags) { return read_image(bytes, "a.png", Place{}, diags); }
+std::optional<Image> read(std::string_view bytes, Diags& diags) {
+    return read_image(bytes, "a.png", Place{}, diags);
+}
 
 std::string only_message(const Diags& diags) {
     return diags.all().size() == 1 ? render(diags.all()[0]) : "not one message but " + render(diags);
@@ -73,13 +76,16 @@ TEST(Image, PfmReadsBothByteOrdersAndGrey) {
 TEST(Image, RefusesDamagedFilesInWholeSentences) {
     const std::pair<std::string, std::string> cases[] = {
         {"", "error: cannot read 'a.png' as an image: the file is empty [SG2001]\n"},
-        {"hello", "error: cannot read 'a.png' as an image: expected PNG, JPEG, EXR, PFM, HDR, TGA or BMP [SG2001]\n"},
+        {"hello",
+         "error: cannot read 'a.png' as an image: expected PNG, JPEG, EXR, PFM, HDR, TGA or BMP [SG2001]\n"},
         {"PF 2 x 1\n",
-         "error: cannot read 'a.png' as an image: damaged PFM header, expected 'PF' or 'Pf', width, height and scale [SG2001]\n"},
+         "error: cannot read 'a.png' as an image: damaged PFM header, expected 'PF' or 'Pf', width, height "
+         "and scale [SG2001]\n"},
         {"PF 2 2 -1\n1234",
          "error: cannot read 'a.png' as an image: damaged PFM (4 bytes of numbers, expected 48) [SG2001]\n"},
         {"PF 0 2 -1\n", "error: cannot read 'a.png' as an image: it has no texels [SG2001]\n"},
-        {"PF 20000 2 -1\n", "error: 'a.png' is 20000 x 2 texels, expected at most 16384 per side [SG2002]\n"}};
+        {"PF 20000 2 -1\n",
+         "error: 'a.png' is 20000 x 2 texels, expected at most 16384 per side [SG2002]\n"}};
     for (const auto& [bytes, expected] : cases) {
         Diags diags;
         EXPECT_FALSE(read(bytes, diags));

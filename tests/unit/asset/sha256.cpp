@@ -8,7 +8,8 @@
 namespace sg::test {
 namespace {
 
-// The first 32 bits of the fractional part of a root of the n-th prime: the constants of FIPS 180-4, 4.2.2 and 5.3.3.
+// The first 32 bits of the fractional part of a root of the n-th prime: the constants of FIPS 180-4, 4.2.2
+// and 5.3.3.
 template <std::size_t N>
 std::array<std::uint32_t, N> fractions_of_roots(long double exponent) {
     std::array<std::uint32_t, N> out{};

@@ -1,4 +1,5 @@
-// The sample textures: the committed files are what the generator makes, and mean what materials/README.md says.
+// The sample textures: the committed files are what the generator makes, and mean what materials/README.md
+// says.
 #include "materials/generate/textures.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +64,8 @@ TEST(SampleTextures, SlopesAreThoseOfTheHeights) {
                 size += found.s * found.s + found.t * found.t;
             }
         }
-        EXPECT_NEAR(agreement / size, 1.0, 0.2) << recipe.file;  // a texel's mean is tamer than the slope in its middle
+        EXPECT_NEAR(agreement / size, 1.0, 0.2)
+            << recipe.file;  // a texel's mean is tamer than the slope in its middle
     }
 }
 

@@ -14,8 +14,12 @@ using asset::make_image;
 using asset::TexelFormat;
 using Kind = MipRule::Kind;
 
-double code_of(double value, double zero) { return (zero + value * (zero == 127.5 ? 127.5 : 127.0)) / 255.0; }
-double value_of(double texel, double zero) { return (255.0 * texel - zero) / (zero == 127.5 ? 127.5 : 127.0); }
+double code_of(double value, double zero) {
+    return (zero + value * (zero == 127.5 ? 127.5 : 127.0)) / 255.0;
+}
+double value_of(double texel, double zero) {
+    return (255.0 * texel - zero) / (zero == 127.5 ? 127.5 : 127.0);
+}
 
 // A map whose texel (x, y) has slopes (a + b x, c + d y).
 Image ramp(std::uint32_t width, std::uint32_t height, TexelFormat format, double zero, bool two_channels) {
@@ -37,7 +41,8 @@ glm::dvec2 mean_slope(const Image& image, const MipRule& rule) {
     glm::dvec2 sum(0.0);
     for (std::uint32_t y = 0; y < image.height; ++y) {
         for (std::uint32_t x = 0; x < image.width; ++x) {
-            const double nx = value_of(image.at(x, y, 0), rule.zero), ny = value_of(image.at(x, y, 1), rule.zero);
+            const double nx = value_of(image.at(x, y, 0), rule.zero),
+                         ny = value_of(image.at(x, y, 1), rule.zero);
             const double nz = rule.kind == Kind::slopes_xy ? std::sqrt(1 - nx * nx - ny * ny)
                                                            : value_of(image.at(x, y, 2), rule.zero);
             sum += glm::dvec2(-nx / nz, -ny / nz);
@@ -50,7 +55,8 @@ TEST(Mips, SizesHalveDownToOne) {
     const auto chain = mip_chain(make_image(37, 5, TexelFormat::unorm8), {});
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sizes;
     for (const Image& level : chain) sizes.emplace_back(level.width, level.height);
-    EXPECT_EQ(sizes, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{37, 5}, {18, 2}, {9, 1}, {4, 1}, {2, 1}, {1, 1}}));
+    EXPECT_EQ(sizes, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+                         {37, 5}, {18, 2}, {9, 1}, {4, 1}, {2, 1}, {1, 1}}));
     EXPECT_EQ(mip_chain(make_image(1, 1, TexelFormat::unorm8), {}).size(), 1u);
 }
 
@@ -58,17 +64,24 @@ TEST(Mips, MeanSlopesSurviveAllLevels) {
     for (const auto& [width, height] : {std::pair{64u, 32u}, {37u, 53u}, {1u, 33u}, {100u, 1u}, {3u, 3u}}) {
         for (const double zero : {127.0, 127.5, 128.0}) {
             for (const Kind kind : {Kind::slopes_xyz, Kind::slopes_xy}) {
-                for (const TexelFormat format : {TexelFormat::unorm8, TexelFormat::unorm16, TexelFormat::float32}) {
+                for (const TexelFormat format :
+                     {TexelFormat::unorm8, TexelFormat::unorm16, TexelFormat::float32}) {
                     const MipRule rule{kind, false, zero};
-                    const auto chain = mip_chain(ramp(width, height, format, zero, kind == Kind::slopes_xy), rule);
+                    const auto chain =
+                        mip_chain(ramp(width, height, format, zero, kind == Kind::slopes_xy), rule);
                     const glm::dvec2 expected = mean_slope(chain[0], rule);
-                    const double tolerance = format == TexelFormat::unorm8 ? 0.012 : format == TexelFormat::unorm16 ? 5e-5 : 1e-6;
+                    const double tolerance = format == TexelFormat::unorm8    ? 0.012
+                                             : format == TexelFormat::unorm16 ? 5e-5
+                                                                              : 1e-6;
                     for (const Image& level : chain) {
                         const glm::dvec2 found = mean_slope(level, rule);
-                        EXPECT_NEAR(found.x, expected.x, tolerance) << width << 'x' << height << " at " << level.width;
-                        EXPECT_NEAR(found.y, expected.y, tolerance) << width << 'x' << height << " at " << level.height;
+                        EXPECT_NEAR(found.x, expected.x, tolerance)
+                            << width << 'x' << height << " at " << level.width;
+                        EXPECT_NEAR(found.y, expected.y, tolerance)
+                            << width << 'x' << height << " at " << level.height;
                     }
-                    EXPECT_EQ(chain[0].bytes, ramp(width, height, format, zero, kind == Kind::slopes_xy).bytes);
+                    EXPECT_EQ(chain[0].bytes,
+                              ramp(width, height, format, zero, kind == Kind::slopes_xy).bytes);
                 }
             }
         }
@@ -76,7 +89,8 @@ TEST(Mips, MeanSlopesSurviveAllLevels) {
 }
 
 TEST(Mips, FlatStaysFlat) {
-    for (const auto& [zero, code, blue] : {std::tuple{127.0, 127, 254}, {127.5, 128, 255}, {127.5, 127, 255}, {128.0, 128, 255}}) {
+    for (const auto& [zero, code, blue] :
+         {std::tuple{127.0, 127, 254}, {127.5, 128, 255}, {127.5, 127, 255}, {128.0, 128, 255}}) {
         for (const Kind kind : {Kind::slopes_xyz, Kind::slopes_xy}) {
             Image image = make_image(13, 6, TexelFormat::unorm8);
             for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
@@ -86,7 +100,8 @@ TEST(Mips, FlatStaysFlat) {
             }
             for (const Image& level : mip_chain(image, {kind, false, zero}))
                 for (std::size_t i = 0; i < level.bytes.size(); ++i)
-                    ASSERT_EQ(level.bytes[i], image.bytes[i % 4]) << zero << ' ' << code << " at " << level.width;
+                    ASSERT_EQ(level.bytes[i], image.bytes[i % 4])
+                        << zero << ' ' << code << " at " << level.width;
         }
     }
 }
@@ -105,8 +120,8 @@ TEST(Mips, AveragesSlopesNotVectors) {
 
 TEST(Mips, LyingAndMissingNormalsStayFinite) {
     Image image = make_image(2, 2, TexelFormat::float32);
-    image.set(0, 0, 0, 1.0);                // (1, -1, -1) after decoding
-    image.set(1, 0, 0, std::nan(""));       // not a number
+    image.set(0, 0, 0, 1.0);                              // (1, -1, -1) after decoding
+    image.set(1, 0, 0, std::nan(""));                     // not a number
     for (int c = 0; c < 3; ++c) image.set(0, 1, c, 0.5);  // (0, 0, 0)
     for (const Kind kind : {Kind::slopes_xyz, Kind::slopes_xy, Kind::color})
         for (const Image& level : mip_chain(image, {kind, false, 127.5}))
@@ -116,8 +131,10 @@ TEST(Mips, LyingAndMissingNormalsStayFinite) {
 TEST(Mips, ColoursAverageInLinearLight) {
     Image image = make_image(2, 1, TexelFormat::unorm8);
     for (int c = 0; c < 4; ++c) image.set(1, 0, c, 1.0);
-    EXPECT_EQ(mip_chain(image, {Kind::color, true, 127.5})[1].bytes, (std::vector<std::uint8_t>{188, 188, 188, 128}));
-    EXPECT_EQ(mip_chain(image, {Kind::color, false, 127.5})[1].bytes, (std::vector<std::uint8_t>{128, 128, 128, 128}));
+    EXPECT_EQ(mip_chain(image, {Kind::color, true, 127.5})[1].bytes,
+              (std::vector<std::uint8_t>{188, 188, 188, 128}));
+    EXPECT_EQ(mip_chain(image, {Kind::color, false, 127.5})[1].bytes,
+              (std::vector<std::uint8_t>{128, 128, 128, 128}));
 }
 
 TEST(Mips, OddSizesWeighByArea) {

@@ -22,7 +22,8 @@ struct Case {
 
 std::vector<Case> all_cases() {
     std::vector<Case> cases;
-    for (const std::string_view name : shape_names()) cases.push_back({std::string(name), *make_shape(name), -1, name != "plane"});
+    for (const std::string_view name : shape_names())
+        cases.push_back({std::string(name), *make_shape(name), -1, name != "plane"});
     cases.push_back({"mirrored plane", make_plane(3, true), 1, false});
     cases.push_back({"mirrored sphere", make_sphere(96, 48, true), 1, true});
     cases.push_back({"mirrored torus", make_torus(96, 48, 2.0f, 0.5f, true), 1, true});
@@ -56,7 +57,8 @@ TEST(Shapes, EveryCornerAgreesWithFiniteDifferences) {
             for (std::size_t corner = first; corner < first + 3; ++corner) {
                 const std::uint32_t v = mesh.indices[corner];
                 ASSERT_GT(cosine(frame.face_normal, mesh.normals[v]), 0.99) << name << ": winding";
-                ASSERT_GT(cosine(frame.ds, glm::vec3(mesh.tangents[v])), 0.99) << name << ": tangent at " << first;
+                ASSERT_GT(cosine(frame.ds, glm::vec3(mesh.tangents[v])), 0.99)
+                    << name << ": tangent at " << first;
                 ASSERT_GT(cosine(frame.dt, test::bitangent(mesh, v)), 0.99) << name << ": w at " << first;
             }
         }
@@ -67,17 +69,20 @@ TEST(Shapes, TheSecondSetIsTurnedAndMirrored) {
     for (const auto& [name, mesh, w, closed] : all_cases()) {
         for (std::size_t first = 0; first < mesh.indices.size(); first += 3) {
             const test::TriangleFrame second = test::triangle_frame(mesh, first, 1);
-            ASSERT_GT(second.uv_area, 0.0) << name << ": an upright picture has negative area, its mirror image positive";
+            ASSERT_GT(second.uv_area, 0.0)
+                << name << ": an upright picture has negative area, its mirror image positive";
             for (std::size_t corner = first; corner < first + 3; ++corner) {
                 const std::uint32_t v = mesh.indices[corner];
-                ASSERT_GT(cosine(second.ds, test::bitangent(mesh, v)), 0.99) << name << ": s of set 1 runs along t";
+                ASSERT_GT(cosine(second.ds, test::bitangent(mesh, v)), 0.99)
+                    << name << ": s of set 1 runs along t";
                 ASSERT_LT(std::abs(cosine(second.ds, glm::vec3(mesh.tangents[v]))), 0.1) << name;
             }
         }
     }
 }
 
-// Volume enclosed, by the divergence theorem: positive only if all triangles face outward, exact only without holes.
+// Volume enclosed, by the divergence theorem: positive only if all triangles face outward, exact only without
+// holes.
 double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -20,7 +20,8 @@ TEST(Tangents, AgreeWithTheExactOnes) {
         ASSERT_TRUE(make_tangents(mesh));
         ASSERT_EQ(mesh.positions.size(), exact.positions.size()) << exact.name << ": nothing to split";
         for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
-            EXPECT_GT(cosine(glm::vec3(mesh.tangents[v]), glm::vec3(exact.tangents[v])), 0.998) << exact.name << v;
+            EXPECT_GT(cosine(glm::vec3(mesh.tangents[v]), glm::vec3(exact.tangents[v])), 0.998)
+                << exact.name << v;
             EXPECT_EQ(mesh.tangents[v].w, exact.tangents[v].w) << exact.name;
         }
     }
@@ -40,7 +41,8 @@ TEST(Tangents, OfTheSecondSetPointAlongIt) {
 
 TEST(Tangents, AMirroredChartIsSplitAlongItsAxis) {
     Mesh mesh = make_plane(4, false);
-    for (glm::vec2& uv : mesh.uvs[0]) uv.x = std::abs(2.0f * uv.x - 1.0f);  // the left half mirrors the right one
+    for (glm::vec2& uv : mesh.uvs[0])
+        uv.x = std::abs(2.0f * uv.x - 1.0f);  // the left half mirrors the right one
     const std::size_t before = mesh.positions.size();
     ASSERT_TRUE(make_tangents(mesh));
     EXPECT_EQ(mesh.positions.size(), before + 5) << "the five vertices on the axis";
