@@ -78,21 +78,34 @@ public:
         return true;
     }
 
-    bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::detail::exception& error) {
-        std::size_t end = std::min(position, source_->text.size());
-        std::size_t length = std::clamp<std::size_t>(last_token.size(), 1, 40);
-        std::size_t begin = end > length ? end - length : 0;
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {
         std::string what = without_prefix(error.what());
-        if (begin < end && source_->text[end - 1] == '\n') begin = end - 1;  // point at the end of the line
         bool encoding = what.find("UTF-8") != what.npos;
-        diags_.error(encoding ? Code::json_encoding : Code::json_syntax,
-                     {source_, {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, ""}, printable_long(what));
+        diags_.error(encoding ? Code::json_encoding : Code::json_syntax, {source_, offending(position, encoding), ""},
+                     printable_long(what));
         return false;
     }
 
     Value root;
 
 private:
+    // The token that the parser stopped in, `position` bytes into the text; one byte where that is at fault itself.
+    [[nodiscard]] Span offending(std::size_t position, bool one_byte) const {
+        std::string_view text = source_->text;
+        if (position > text.size() || text.empty()) {
+            auto end = static_cast<std::uint32_t>(text.size());
+            return {end, end};
+        }
+        std::size_t begin = position > 0 ? position - 1 : 0;
+        std::size_t end = begin + 1;
+        auto in_word = [&](std::size_t i) { return std::string_view("{}[],: \t\r\n").find(text[i]) == std::string_view::npos; };
+        if (!one_byte && in_word(begin)) {
+            while (begin > 0 && in_word(begin - 1)) --begin;
+            while (end < text.size() && in_word(end)) ++end;
+        }
+        return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    }
+
     static std::string printable_long(std::string_view text) {
         std::string out;
         while (!text.empty()) {  // `printable` cuts, so feed it pieces
@@ -181,6 +194,12 @@ const Value* Value::find(std::string_view key) const {
 std::optional<Document> parse(SourcePtr source, Diags& diags) {
     if (source->text.size() > kMaxBytes) {
         diags.error(Code::json_limit, {source, {0, 0}, ""}, fmt::format("the file is larger than {} MiB", kMaxBytes >> 20u));
+        return std::nullopt;
+    }
+    std::size_t nul = source->text.find('\0');  // the parser would take it for the end of the text
+    if (nul != std::string::npos) {
+        auto at = static_cast<std::uint32_t>(nul);
+        diags.error(Code::json_syntax, {source, {at, at + 1}, ""}, "the text holds a NUL byte");
         return std::nullopt;
     }
     std::size_t before = diags.error_count();

@@ -1,0 +1,136 @@
+// Every message that a material can cause, whole: cases/NAME.json in, cases/NAME.txt out. The file's name starts
+// with the code that it is about.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "compile.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string check(const std::string& name, std::string text, int* exit_code = nullptr) {
+    MemoryFiles files;
+    files.contents["/m/textures/a.png"] = "not read beyond its hash";
+    files.contents["/secret.png"] = "must stay out of reach";
+    CompileRequest request{.source = std::make_shared<Source>(Source{name, std::move(text)})};
+    request.stem = "case";
+    request.roots = {"/m"};
+    Diags diags;
+    bool good = check_material(request, files, diags);
+    EXPECT_EQ(good, !diags.has_errors());
+    for (const std::string& read : files.reads) EXPECT_NE(read, "/secret.png");
+    for (const Diagnostic& d : diags.all()) {
+        EXPECT_TRUE(d.place.source) << "no place: " << d.message;
+        EXPECT_EQ(std::count(d.message.begin(), d.message.end(), '\n'), 0) << d.message;
+        EXPECT_NE(d.message.back(), '.') << d.message;
+    }
+    diags.sort();
+    if (exit_code) *exit_code = diags.exit_code();
+    return render(diags);
+}
+
+std::vector<fs::path> cases() {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests/errors/cases")) {
+        if (entry.path().extension() == ".json") out.push_back(entry.path());
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+TEST(Errors, WholeMessages) {
+    for (const fs::path& path : cases()) {
+        int exit_code = 0;
+        std::string out = check("wall.json", test::read_file(path), &exit_code);
+        EXPECT_EQ(exit_code, 1) << path;
+        std::string stem = path.stem().string();
+        std::string tag = stem.starts_with("SG") ? "[" + stem.substr(0, 6) + "]" : "";
+        EXPECT_NE(out.find(tag), std::string::npos) << path << "\n" << out;
+        test::expect_golden("errors/cases/" + stem + ".txt", out);
+    }
+}
+
+TEST(Errors, TextThatIsNotUtf8) {
+    EXPECT_EQ(check("wall.json", "{ \"version\": 1, \"name\": \"\xFF\" }"),
+              "wall.json:1:26: error: syntax error while parsing value - invalid string: ill-formed UTF-8 byte [SG1004]\n"
+              "{ \"version\": 1, \"name\": \"\xFF\" }\n"
+              "                         ^\n");
+}
+
+TEST(Errors, DepthIsRefused) {
+    std::string out = check("deep.json", std::string(200, '['));
+    EXPECT_EQ(out.substr(0, out.find('\n')), "deep.json:1:129: error: nested deeper than 128 levels [SG1002]");
+}
+
+TEST(Errors, FileThatCannotBeRead) {
+    class Locked final : public Files {
+    public:
+        ReadResult read(const fs::path&) override { return {Status::unreadable, "", "Permission denied"}; }
+        bool exists(const fs::path&) override { return true; }
+        fs::path canonical(const fs::path& path) override { return path.lexically_normal(); }
+        std::string write_all(const std::vector<std::pair<fs::path, std::string>>&) override { return "never"; }
+    } files;
+    CompileRequest request{.source = std::make_shared<Source>(
+        Source{"wall.json", R"({"version":1,"textures":{"a":{"file":"a.png","encoding":"tangent_normal"}}})"})};
+    request.roots = {"/m"};
+    Diags diags;
+    EXPECT_FALSE(check_material(request, files, diags));
+    EXPECT_EQ(render(diags),
+              "wall.json:1:38: error: cannot read 'a.png': Permission denied [SG1303]\n"
+              "{\"version\":1,\"textures\":{\"a\":{\"file\":\"a.png\",\"encoding\":\"tangent_normal\"}}}\n"
+              "                                     ^^^^^^^\n");
+    EXPECT_EQ(diags.exit_code(), 4);
+    EXPECT_FALSE(write_or_report(files, {}, diags));
+    EXPECT_EQ(render(diags.all().back()), "error: never [SG1304]\n");
+}
+
+// Damaged versions of a good material: an answer or an error, never a crash, and text never slips through.
+TEST(Errors, RandomDamageNeverCrashes) {
+    unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::string good = test::read_file(test::source_dir() / "materials/layered.json");
+    ASSERT_FALSE(good.empty());
+    auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = good;
+        for (std::size_t k = pick(4) + 1; k > 0; --k) {
+            std::size_t at = pick(text.size());
+            switch (pick(4)) {
+                case 0:
+                    text[at] = static_cast<char>(pick(256));
+                    break;
+                case 1:
+                    text.erase(at, pick(12) + 1);
+                    break;
+                case 2:
+                    text.insert(at, text.substr(pick(text.size()), pick(12)));
+                    break;
+                default:
+                    text.insert(at, std::string(1, "{}[]\",:-9e$"[pick(11)]));
+            }
+        }
+        check("damaged.json", text);
+    }
+}
+
+// Each code is met by a whole message somewhere in the tests.
+TEST(Errors, EveryCodeIsExercised) {
+    std::string all;
+    for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / "tests")) {
+        fs::path extension = entry.path().extension();
+        if (extension == ".txt" || extension == ".cpp" || extension == ".sh") all += test::read_file(entry.path());
+    }
+    for (const CodeInfo& info : all_codes()) {
+        std::string tag = "[SG" + std::to_string(static_cast<int>(info.code)) + "]";
+        EXPECT_NE(all.find(tag), std::string::npos) << tag << " (" << info.identifier << ") has no test";
+    }
+}
+
+}  // namespace
+}  // namespace sg

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "ir/ir.hpp"
+#include "ir/text.hpp"
+
+namespace sg::ir {
+namespace {
+
+Module parsed(std::string_view text) {
+    std::string fault;
+    auto module = parse(text, fault);
+    EXPECT_TRUE(module) << fault;
+    return module.value_or(Module{});
+}
+
+constexpr std::string_view kWhole = R"(module "a \"b\" \x0a"
+texture 0 "t \\ u" tangent_normal
+texture 1 "xy" tangent_normal_xy
+parameter 0 "p" : Scalar
+parameter 1 "tint" : Color
+%0 = uv_set 3 : Uv 'uv3'
+%1 = vertex_normal : VertexNormal
+layer "one's \"id\"" normal_map
+%2 = constant 2 -0.1 : Vec2
+%3 = uv_scale %0 %2 : Uv 'uv'
+%4 = sample 1 %3 : Texel
+%5 = decode_normal_xy 127.5 %4 : TangentNormalXy
+layer none
+%6 = base_normal %1 : Normal
+%7 = parameter 1 : Color
+output normal = %6
+output base_color = %7
+output uv 3 = %0
+)";
+
+TEST(Ir, PrintsWhatItParses) { EXPECT_EQ(print(parsed(kWhole)), kWhole); }
+TEST(Ir, TheWholeExampleVerifies) { EXPECT_EQ(verify(parsed(kWhole)), ""); }
+
+TEST(Ir, CommentsAndBlankLinesAreSkipped) {
+    EXPECT_EQ(print(parsed("# head\n\nmodule \"m\"  # tail\n")), "module \"m\"\n");
+}
+
+struct FaultCase {
+    std::string_view text;
+    std::string_view fault;
+};
+
+TEST(Ir, ParserSaysWhichLineAndWhy) {
+    const FaultCase cases[] = {
+        {"modul \"a\"", "line 1: unknown statement 'modul'"},
+        {"module \"a\"\n%1 = position : Position", "line 2: values must be numbered in order"},
+        {"%0 = positon : Position", "line 1: unknown operation 'positon'"},
+        {"%0 = position : Positon", "line 1: unknown type 'Positon'"},
+        {"%0 = position : Position extra", "line 1: unexpected 'extra'"},
+        {"%0 = constant 1 2 3 4 5 : Vec4", "line 1: a constant has at most 4 numbers"},
+        {"%0 = constant one : Scalar", "line 1: expected a number before 'one : Scalar'"},
+        {"output colour = %0", "line 1: unknown output 'colour'"},
+        {"texture 0 \"a\" bumpy", "line 1: unknown encoding 'bumpy'"},
+        {"texture 1 \"a\" tangent_normal", "line 1: textures must be numbered in order"},
+        {"%0 position", "line 1: expected '=' before 'position'"},
+        {"module \"a", "line 1: expected '\"' before ''"},
+    };
+    for (const FaultCase& c : cases) {
+        std::string fault;
+        EXPECT_FALSE(parse(c.text, fault)) << c.text;
+        EXPECT_EQ(fault, c.fault);
+    }
+}
+
+// The algebra: what may not be mixed is refused.
+TEST(Ir, VerifierRefusesIllegalMixes) {
+    constexpr std::string_view kHead =
+        "texture 0 \"t\" tangent_normal\nparameter 0 \"p\" : Vec2\n"
+        "%0 = uv_set 0 : Uv\n%1 = vertex_normal : VertexNormal\n%2 = base_normal %1 : Normal\n"
+        "%3 = vertex_tangent : VertexTangent\n%4 = basis_vertex %1 %3 : Basis\n%5 = sample 0 %0 : Texel\n"
+        "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n"
+        "%8 = surfgrad_from_tbn %7 %4 : SurfGrad\n";
+    const FaultCase cases[] = {
+        {"%9 = add_surfgrad %8 %7 : SurfGrad", "%9: 'add_surfgrad' takes SurfGrad as operand 1, found Deriv (%7)\n"},
+        {"%9 = resolve %2 %7 : Normal", "%9: 'resolve' takes SurfGrad as operand 1, found Deriv (%7)\n"},
+        {"%9 = resolve %1 %8 : Normal", "%9: 'resolve' takes Normal as operand 0, found VertexNormal (%1)\n"},
+        {"%9 = add_deriv %7 %8 : Deriv", "%9: 'add_deriv' takes Deriv as operand 1, found SurfGrad (%8)\n"},
+        {"%9 = surfgrad_from_tbn %6 %4 : SurfGrad", "%9: 'surfgrad_from_tbn' takes Deriv as operand 0, found TangentNormal (%6)\n"},
+        {"%9 = decode_normal_xyz 126 %5 : TangentNormal", "%9: zero 126 is not in 127..128\n"},
+        {"%9 = uv_set 8 : Uv", "%9: uv set 8 is not in 0..7\n"},
+        {"%9 = sample 1 %0 : Texel", "%9: no such texture\n"},
+        {"%9 = parameter 1 : Scalar", "%9: no such parameter\n"},
+        {"%9 = parameter 0 : Scalar", "%9: parameter 'p' is Vec2, the value is Scalar\n"},
+        {"%9 = constant inf : Scalar", "%9: a constant is not finite\n"},
+        {"%9 = constant 1 : SurfGrad", "%9: 'constant' cannot give SurfGrad\n"},
+        {"%9 = position : Normal", "%9: 'position' gives Position, the value is Normal\n"},
+        {"%9 = add_deriv %7 : Deriv", "%9: 'add_deriv' takes 2 operands, found 1\n"},
+        {"%9 = add_deriv %9 %7 : Deriv", "%9: operand 0 is not an earlier value\n"},
+        {"output normal = %8", "output normal: takes Normal, found SurfGrad (%8)\n"},
+        {"output normal = %99", "output normal: no such value\n"},
+        {"output normal = %2\noutput normal = %2", "output normal: is set twice\n"},
+    };
+    EXPECT_EQ(verify(parsed(kHead)), "");
+    for (const FaultCase& c : cases) EXPECT_EQ(verify(parsed(std::string(kHead) + std::string(c.text))), c.fault);
+}
+
+TEST(Ir, EveryRowIsWhole) {
+    for (const OpInfo& op : all_ops()) {
+        EXPECT_FALSE(op.meaning.empty()) << op.name;
+        EXPECT_FALSE(op.glsl.empty()) << op.name;
+        for (std::size_t i = 0; i < op.operands.size(); ++i) {
+            EXPECT_NE(op.glsl.find("{" + std::to_string(i) + "}"), std::string_view::npos) << op.name << " drops an operand";
+        }
+        bool calls = op.glsl.find("sg_") == 0 && op.glsl.find("sg_in_") != 0;
+        EXPECT_EQ(calls, !op.include.empty()) << op.name;
+    }
+    for (Output output : all_outputs()) EXPECT_FALSE(output_name(output).empty());
+}
+
+}  // namespace
+}  // namespace sg::ir

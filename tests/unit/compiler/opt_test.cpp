@@ -1,0 +1,123 @@
+#include "opt/optimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ir/text.hpp"
+
+namespace sg::opt {
+namespace {
+
+std::string optimised(std::string_view text, std::string_view skipped = "") {
+    std::string fault;
+    auto module = ir::parse(text, fault);
+    if (!module) return fault;
+    EXPECT_EQ(ir::verify(*module), "");
+    std::string printed = ir::print(optimise(*module, skipped));
+    return printed.substr(printed.find('\n') + 1);  // without the module's line
+}
+
+// Text before and after; the rule that does it must be the one named: without it the text differs.
+struct RuleCase {
+    std::string_view rule;
+    std::string_view before;
+    std::string_view after;
+};
+
+const std::string kSurface =
+    "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n%2 = vertex_tangent : VertexTangent\n"
+    "%3 = basis_vertex %0 %2 : Basis\n%4 = uv_set 0 : Uv\n%5 = sample 0 %4 : Texel\n"
+    "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n";
+const std::string kTexture = "texture 0 \"t\" tangent_normal\n";
+
+TEST(Opt, EachRuleBeforeAndAfter) {
+    std::set<std::string_view> seen;
+    const RuleCase cases[] = {
+        {"scale_deriv_by_one",
+         "%8 = constant 1 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"scale_surfgrad_by_one",
+         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"dead_layer",
+         "%8 = constant 0 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+        {"scale_to_nothing",
+         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+        {"add_nothing",
+         "%8 = zero_surfgrad : SurfGrad\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = add_surfgrad %8 %9 : SurfGrad\n"
+         "%11 = add_surfgrad %10 %8 : SurfGrad\noutput gradient = %11\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"resolve_nothing",
+         "%8 = zero_surfgrad : SurfGrad\n%9 = resolve %1 %8 : Normal\noutput normal = %9\n",
+         "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"},
+        {"positive_tiling_shares_basis",
+         "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = constant 2 3 : Vec2\n%11 = uv_scale %4 %10 : Uv\n"
+         "%12 = basis_uv %9 %11 : Basis\n%13 = surfgrad_from_tbn %7 %12 : SurfGrad\noutput gradient = %13\n",
+         "%8 = basis_uv %7 %2 : Basis\n%9 = surfgrad_from_tbn %5 %8 : SurfGrad\noutput gradient = %9\n"},
+        {"positive_tiling_turns_nothing",
+         "%8 = constant 2 3 : Vec2\n%9 = basis_mirror %3 %8 : Basis\n%10 = surfgrad_from_tbn %7 %9 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"one_projection",
+         "%8 = constant 2 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %7 %3 : SurfGrad\n"
+         "%11 = surfgrad_from_tbn %9 %3 : SurfGrad\n%12 = add_surfgrad %10 %11 : SurfGrad\noutput gradient = %12\n",
+         "%9 = add_deriv %6 %8 : Deriv\n%10 = surfgrad_from_tbn %9 %2 : SurfGrad\noutput gradient = %10\n"},
+    };
+    for (const RuleCase& c : cases) {
+        std::string before = kTexture + kSurface + std::string(c.before);
+        std::string after = optimised(before);
+        EXPECT_TRUE(after.ends_with(c.after)) << c.rule << ":\n" << after;
+        EXPECT_NE(after, optimised(before, c.rule)) << c.rule << " does nothing here";
+        seen.insert(c.rule);
+    }
+    for (const Rule& rule : all_rules()) {
+        EXPECT_TRUE(seen.count(rule.name)) << "no case for the rule " << rule.name;
+        EXPECT_FALSE(rule.reason.empty());
+    }
+}
+
+TEST(Opt, NegativeTilingKeepsItsOwnBasis) {
+    std::string text = kTexture + kSurface +
+                       "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = constant 2 -3 : Vec2\n"
+                       "%11 = uv_scale %4 %10 : Uv\n%12 = basis_uv %9 %11 : Basis\n"
+                       "%13 = surfgrad_from_tbn %7 %12 : SurfGrad\noutput gradient = %13\n";
+    EXPECT_NE(optimised(text).find("uv_scale"), std::string::npos);
+}
+
+TEST(Opt, OneProjectionReachesPastOtherLayers) {
+    // layers 1 and 2 share the vertex basis; layer 0 has a basis of its own in front of them.
+    std::string text = kTexture + kSurface +
+                       "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = basis_uv %9 %4 : Basis\n"
+                       "%11 = surfgrad_from_tbn %7 %10 : SurfGrad\n%12 = surfgrad_from_tbn %7 %3 : SurfGrad\n"
+                       "%13 = constant 5 : Scalar\n%14 = scale_deriv %13 %7 : Deriv\n"
+                       "%15 = surfgrad_from_tbn %14 %3 : SurfGrad\n%16 = add_surfgrad %11 %12 : SurfGrad\n"
+                       "%17 = add_surfgrad %16 %15 : SurfGrad\noutput gradient = %17\n";
+    std::string after = optimised(text);
+    std::size_t projections = 0;
+    for (std::size_t at = after.find("surfgrad_from_tbn"); at != std::string::npos; at = after.find("surfgrad_from_tbn", at + 1)) ++projections;
+    EXPECT_EQ(projections, 2u) << after;
+    EXPECT_NE(after.find("add_deriv"), std::string::npos) << after;
+}
+
+TEST(Opt, EqualValuesBecomeOne) {
+    std::string text = kTexture + kSurface +
+                       "%8 = sample 0 %4 : Texel\n%9 = decode_normal_xyz 127.5 %8 : TangentNormal\n"
+                       "%10 = deriv_from_normal_xyz %9 : Deriv\n%11 = add_deriv %7 %10 : Deriv\n"
+                       "%12 = surfgrad_from_tbn %11 %3 : SurfGrad\noutput gradient = %12\n";
+    EXPECT_TRUE(optimised(text).ends_with("%7 = add_deriv %6 %6 : Deriv\n%8 = surfgrad_from_tbn %7 %2 : SurfGrad\noutput gradient = %8\n"));
+}
+
+TEST(Opt, WhatNoLayerNeedsIsNotShown) {
+    std::string text = kTexture + kSurface + "output normal = %1\noutput uv 0 = %4\noutput basis_vertex = %3\n";
+    EXPECT_EQ(optimised(text), kTexture + "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n");
+}
+
+}  // namespace
+}  // namespace sg::opt
