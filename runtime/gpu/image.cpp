@@ -129,8 +129,10 @@ bool Image::upload(const Device& device, const std::vector<Level>& levels, Diags
         what.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
         what.oldLayout = what.newLayout;
         what.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-        barrier(commands, what, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
+        constexpr VkPipelineStageFlags kReaders = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT |
+                                                  VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
+                                                  VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+        barrier(commands, what, VK_PIPELINE_STAGE_TRANSFER_BIT, kReaders);
     };
     return device.submit(record, diags);
 }

@@ -82,6 +82,19 @@ VkResult create_instance(ValidationLog* log, VkInstance* out) {
 }
 
 }  // namespace
+}  // namespace sg::runtime::gpu
+
+#ifdef __SANITIZE_ADDRESS__
+// The validation layer itself leaks a little per device, and says so to nobody else.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libVkLayer_khronos_validation.so\n";
+}
+extern "C" const char* __lsan_default_options() {
+    return "print_suppressions=0";
+}
+#endif
+
+namespace sg::runtime::gpu {
 
 void ValidationLog::add(std::string message) {
     std::lock_guard lock(mutex_);
