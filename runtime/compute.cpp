@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <vector>
 
 #include "base/ice.hpp"
 #include "runtime/gpu/buffer.hpp"
 #include "runtime/gpu/descriptors.hpp"
 #include "runtime/gpu/device.hpp"
+#include "runtime/gpu/image.hpp"
 #include "runtime/gpu/pipeline.hpp"
 
 namespace sg::runtime {
@@ -34,6 +36,36 @@ std::optional<Buffers> make_buffers(const gpu::Device& device, std::span<const f
     return Buffers{std::move(*in), std::move(*out), std::move(*uniform)};
 }
 
+struct BoundTexture {
+    const gpu::Image* image;
+    gpu::OwnedSampler sampler;
+};
+
+std::optional<std::vector<BoundTexture>> bind_textures(const gpu::Device& device,
+                                                       std::span<const ComputeTexture> textures,
+                                                       Diags& diags) {
+    std::vector<BoundTexture> out;
+    for (const ComputeTexture& texture : textures) {
+        auto sampler = gpu::make_sampler(device, texture.sampling, diags);
+        if (!sampler) return std::nullopt;
+        out.push_back({texture.image, std::move(*sampler)});
+    }
+    return out;
+}
+
+std::vector<VkDescriptorSetLayoutBinding> layout_bindings(std::size_t textures) {
+    std::vector<VkDescriptorType> kinds(kKinds.begin(), kKinds.end());
+    for (std::size_t i = 0; i < textures; ++i) {
+        kinds.insert(kinds.end(), {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_SAMPLER});
+    }
+    std::vector<VkDescriptorSetLayoutBinding> out;
+    for (VkDescriptorType kind : kinds) {
+        out.push_back(
+            {static_cast<std::uint32_t>(out.size()), kind, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+    }
+    return out;
+}
+
 // Makes what the shader wrote visible to the processor.
 void flush_to_host(VkCommandBuffer commands) {
     auto barrier = gpu::make_info<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
@@ -50,6 +82,24 @@ struct Compute::State {
     gpu::OwnedSetLayout set_layout;
     gpu::OwnedPipelineLayout layout;
     gpu::OwnedPipeline pipeline;
+    std::vector<BoundTexture> textures;
+
+    // Everything that one part binds.
+    [[nodiscard]] std::vector<gpu::Binding> bindings_of(const Buffers& buffers) const {
+        std::vector<gpu::Binding> out = {{0, kKinds[0], buffers.inputs.get()},
+                                         {1, kKinds[1], buffers.outputs.get()},
+                                         {2, kKinds[2], buffers.control.get()}};
+        for (const BoundTexture& texture : textures) {
+            auto next = static_cast<std::uint32_t>(out.size());
+            out.push_back({.binding = next,
+                           .kind = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+                           .view = texture.image->view()});
+            out.push_back({.binding = next + 1,
+                           .kind = VK_DESCRIPTOR_TYPE_SAMPLER,
+                           .sampler = texture.sampler.get()});
+        }
+        return out;
+    }
 
     // The greatest number of elements that one dispatch can hold.
     [[nodiscard]] std::size_t part_size(std::size_t floats_per_element) const {
@@ -64,10 +114,7 @@ struct Compute::State {
         auto buffers = make_buffers(device, inputs, outputs.size(), count, diags);
         if (!buffers) return false;
         VkDescriptorSetLayout set = set_layout.get();
-        std::vector<gpu::Binding> bindings = {{0, kKinds[0], buffers->inputs.get()},
-                                              {1, kKinds[1], buffers->outputs.get()},
-                                              {2, kKinds[2], buffers->control.get()}};
-        auto sets = gpu::DescriptorSets::create(device, {&set, 1}, {bindings}, diags);
+        auto sets = gpu::DescriptorSets::create(device, {&set, 1}, {bindings_of(*buffers)}, diags);
         if (!sets) return false;
         auto record = [&](VkCommandBuffer commands) {
             VkDescriptorSet bound = (*sets)[0];
@@ -88,20 +135,18 @@ Compute::Compute(Compute&&) noexcept = default;
 Compute::~Compute() = default;
 
 std::optional<Compute> Compute::create(gpu::Device& device, std::span<const std::uint32_t> words,
-                                       Diags& diags) {
-    std::array<VkDescriptorSetLayoutBinding, 3> bindings{};
-    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-        bindings[i] = {i, kKinds[i], 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-    }
-    auto set_layout = gpu::make_set_layout(device, bindings, diags);
+                                       Diags& diags, std::span<const ComputeTexture> textures) {
+    auto bound = bind_textures(device, textures, diags);
+    if (!bound) return std::nullopt;
+    auto set_layout = gpu::make_set_layout(device, layout_bindings(textures.size()), diags);
     if (!set_layout) return std::nullopt;
     VkDescriptorSetLayout set = set_layout->get();
     auto layout = gpu::make_pipeline_layout(device, {&set, 1}, diags);
     if (!layout) return std::nullopt;
     auto pipeline = gpu::make_compute_pipeline(device, layout->get(), words, diags);
     if (!pipeline) return std::nullopt;
-    return Compute(std::unique_ptr<State>(
-        new State{device, std::move(*set_layout), std::move(*layout), std::move(*pipeline)}));
+    return Compute(std::unique_ptr<State>(new State{device, std::move(*set_layout), std::move(*layout),
+                                                    std::move(*pipeline), std::move(*bound)}));
 }
 
 bool Compute::run(std::span<const float> inputs, std::size_t floats_per_input, std::span<float> outputs,
