@@ -1,0 +1,96 @@
+// Every sample in materials/: golden IR, optimised IR, GLSL and manifest; every shader valid; the same bytes again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "compile.hpp"
+#include "emit/glsl.hpp"
+#include "layers/layer_kind.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> samples() {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials")) {
+        if (entry.path().extension() == ".json") out.push_back(entry.path());
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+Compiled compile(const fs::path& path, target::Optimise optimise = target::Optimise::speed) {
+    RealFiles files;
+    Diags diags;
+    CompileRequest request{
+        .source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)}),
+        .stem = path.stem().string(),
+        .roots = {path.parent_path()}};
+    request.spirv.optimise = optimise;
+    request.optimise_ir = optimise != target::Optimise::none;
+    auto out = compile_material(request, files, target::embedded_library(), diags);
+    EXPECT_TRUE(out) << render(diags);
+    return out ? std::move(*out) : Compiled{};
+}
+
+// The shaders' hashes follow the versions of glslang and SPIRV-Tools; what they hash is golden as GLSL.
+std::string without_shader_hashes(const std::string& manifest) {
+    static const std::regex kHash("(\\.spv\",\\s*\"hash\": )\"xxh3:[0-9a-f]{32}\"");
+    return std::regex_replace(manifest, kHash, "$1\"...\"");
+}
+
+class Sample : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Sample, Golden) {
+    std::string stem = GetParam().stem().string();
+    Compiled out = compile(GetParam());
+    test::expect_golden("golden/" + stem + "/lowered.ir", out.ir);
+    test::expect_golden("golden/" + stem + "/optimised.ir", out.optimised_ir);
+    for (const NamedText& t : out.glsl) test::expect_golden("golden/" + stem + "/" + t.name + ".glsl", t.text);
+    test::expect_golden("golden/" + stem + "/manifest.json", without_shader_hashes(out.files.back().second));
+}
+
+TEST_P(Sample, EveryShaderIsValidAtEveryLevel) {
+    for (auto level : {target::Optimise::none, target::Optimise::speed, target::Optimise::size}) {
+        Compiled out = compile(GetParam(), level);
+        std::size_t shaders = 0;
+        for (const auto& [name, bytes] : out.files) {
+            if (!name.ends_with(".spv")) continue;
+            target::Words words(bytes.size() / 4);
+            std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(words.data()));
+            EXPECT_EQ(target::validate(words), "") << name;
+            ++shaders;
+        }
+        EXPECT_EQ(shaders, 2 * emit::all_entry_points().size());
+    }
+}
+
+TEST_P(Sample, SameBytesTwice) { EXPECT_EQ(compile(GetParam()).files, compile(GetParam()).files); }
+
+INSTANTIATE_TEST_SUITE_P(Materials, Sample, testing::ValuesIn(samples()),
+                         [](const auto& sample) { return sample.param.stem().string(); });
+
+TEST(Samples, EveryLayerKindHasOne) {
+    std::set<std::string> stems;
+    for (const fs::path& path : samples()) stems.insert(path.stem().string());
+    EXPECT_GE(stems.size(), 3u);
+    for (const layers::LayerKind* kind : layers::all_kinds()) {
+        EXPECT_TRUE(stems.count(std::string(kind->name))) << "materials/" << kind->name << ".json is missing";
+    }
+}
+
+TEST(Samples, NoGoldenWithoutItsSample) {
+    std::set<std::string> stems;
+    for (const fs::path& path : samples()) stems.insert(path.stem().string());
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests/golden")) {
+        EXPECT_TRUE(!entry.is_directory() || stems.count(entry.path().filename().string())) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace sg

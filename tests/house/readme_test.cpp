@@ -1,0 +1,96 @@
+// The documents say what is: tables are compared with the rows that they describe, paths and commands exist.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "base/diag.hpp"
+#include "emit/glsl.hpp"
+#include "ir/ir.hpp"
+#include "layers/layer_kind.hpp"
+#include "opt/optimise.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string document(const char* path) {
+    std::string text = test::read_file(test::source_dir() / path);
+    EXPECT_FALSE(text.empty()) << path;
+    return text;
+}
+
+TEST(Readme, EveryDiagnosticIsListedWithCauseAndMend) {
+    std::string text = document("compiler/README.md");
+    for (const CodeInfo& info : all_codes()) {
+        std::string row = "| SG" + std::to_string(static_cast<int>(info.code)) + " | " + std::string(info.cause) + " | " +
+                          std::string(info.mend) + " |";
+        EXPECT_NE(text.find(row), std::string::npos) << "missing line:\n" << row;
+    }
+}
+
+TEST(Readme, EveryLayerFieldIsListed) {
+    std::string text = document("materials/README.md");
+    for (const layers::LayerKind* kind : layers::all_kinds()) {
+        EXPECT_NE(text.find("### `" + std::string(kind->name) + "`"), std::string::npos) << kind->name;
+        for (const layers::Field& field : kind->fields) {
+            std::size_t at = text.find("| `" + std::string(field.name) + "` |");
+            ASSERT_NE(at, std::string::npos) << kind->name << "." << field.name;
+            std::string line = text.substr(at, text.find('\n', at) - at);
+            EXPECT_NE(line.find(field.doc), std::string::npos) << "the line of '" << field.name << "' should say: " << field.doc;
+        }
+    }
+}
+
+TEST(Readme, EveryRuleAndEntryPointIsListed) {
+    std::string text = document("compiler/README.md");
+    for (const opt::Rule& rule : opt::all_rules()) {
+        std::string row = "| `" + std::string(rule.name) + "` | " + std::string(rule.reason) + " |";
+        EXPECT_NE(text.find(row), std::string::npos) << "missing line:\n" << row;
+    }
+    std::string artefacts = document("compiler/artefacts.md");
+    for (const emit::EntryPoint& entry : emit::all_entry_points()) {
+        EXPECT_NE(artefacts.find("| `" + std::string(entry.name) + "` |"), std::string::npos) << entry.name;
+    }
+}
+
+TEST(Readme, EveryMakeTargetExists) {
+    std::string makefile = document("Makefile");
+    std::string text = document("README.md");
+    std::regex command("`make ([a-z]+)`|\nmake ([a-z]+)");
+    int found = 0;
+    for (std::sregex_iterator it(text.begin(), text.end(), command), end; it != end; ++it, ++found) {
+        std::string target = (*it)[1].matched ? (*it)[1] : (*it)[2];
+        EXPECT_NE(makefile.find("\n" + target + ":"), std::string::npos) << "make " << target;
+    }
+    EXPECT_GE(found, 2);
+}
+
+TEST(Readme, EveryPathThatIsNamedExists) {
+    std::regex link("\\]\\(([A-Za-z0-9_./-]+)\\)");
+    for (const char* path : {"README.md", "compiler/README.md", "runtime/README.md", "shader_lib/README.md", "materials/README.md"}) {
+        std::string text = document(path);
+        fs::path folder = (test::source_dir() / path).parent_path();
+        for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+            EXPECT_TRUE(fs::exists(folder / (*it)[1].str())) << path << " names " << (*it)[1];
+        }
+    }
+}
+
+TEST(Readme, CiRunsTheTestCommandOfTheReadme) {
+    EXPECT_NE(document("README.md").find("\nmake test\n"), std::string::npos);
+    EXPECT_NE(document(".ci/run").find("make test"), std::string::npos);
+}
+
+// What the project says of itself names no path outside the repository.
+TEST(Readme, NothingPointsOutside) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / "compiler")) {
+        if (!entry.is_regular_file()) continue;
+        EXPECT_EQ(test::read_file(entry.path()).find("../shared"), std::string::npos) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace sg
