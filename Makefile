@@ -10,14 +10,13 @@ deps:
 	@.ci/deps
 
 build: deps
-	@cmake --preset $(PRESET) >build-$(PRESET).log 2>&1 || { cat build-$(PRESET).log; rm -f build-$(PRESET).log; exit 1; }
-	@rm -f build-$(PRESET).log
+	cmake --preset $(PRESET)
 	cmake --build $(BUILD) -j $(JOBS) --target surfgradc surfgrad-render
 
 demo: build
 	$(BUILD)/surfgradc compile materials/two_unwraps.json -o $(DEMO) --emit glsl
 	$(BUILD)/surfgrad-render $(DEMO)/two_unwraps.json --texture-root materials -o $(DEMO)/two_unwraps.png \
-	    --mesh torus --size 960x640 --supersample 2
+	    --mesh torus --camera 0.6,2.1,2.9:0,-0.05,0:40 --size 720x440 --supersample 3
 	@echo "wrote $(DEMO)/two_unwraps.png; the shader that drew it is $(DEMO)/two_unwraps.forward.frag.glsl"
 
 test: deps
