@@ -1,0 +1,148 @@
+// surfgradc as a user runs it: arguments, files, exit codes, the same bytes from any folder.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <map>
+
+#include "tests/support/golden.hpp"
+
+namespace sg {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int exit_code = -1;
+    std::string text;  // standard output and standard error
+};
+
+Outcome run(const fs::path& folder, const std::string& arguments) {
+    std::string command = fmt::format("cd '{}' && '{}' {} 2>&1", folder.string(), SG_SURFGRADC, arguments);
+    FILE* pipe = ::popen(command.c_str(), "r");
+    Outcome out;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) out.text.append(buffer.data(), n);
+    int status = ::pclose(pipe);
+    out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return out;
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+    std::map<std::string, std::string> out;
+    if (!fs::exists(folder)) return out;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) out[entry.path().lexically_relative(folder).string()] = test::read_file(entry.path());
+    }
+    return out;
+}
+
+class Cli : public testing::Test {
+protected:
+    void SetUp() override {
+        root_ = fs::temp_directory_path() / fmt::format("surfgrad-cli-{}", ::getpid());
+        fs::remove_all(root_);
+        copy_to(root_ / "one");
+    }
+    void TearDown() override { fs::remove_all(root_); }
+
+    static void copy_to(const fs::path& folder) {
+        fs::create_directories(folder);
+        fs::copy(test::source_dir() / "materials", folder / "materials", fs::copy_options::recursive);
+    }
+    void write(const fs::path& file, const std::string& text) { std::ofstream(root_ / file, std::ios::binary) << text; }
+
+    fs::path root_;
+};
+
+TEST_F(Cli, SameBytesFromTwoFolders) {
+    copy_to(root_ / "two/deeper");
+    for (const char* sample : {"normal_map", "two_unwraps", "layered"}) {
+        std::string emit = " --emit ir,opt-ir,glsl,spvasm";
+        Outcome one = run(root_ / "one", fmt::format("compile materials/{}.json -o out{}", sample, emit));
+        Outcome two = run(root_ / "two", fmt::format("compile '{}' -o '{}'{}", (root_ / "two/deeper/materials" / sample).string() + ".json",
+                                                     (root_ / "two/out").string(), emit));
+        EXPECT_EQ(one.exit_code, 0) << one.text;
+        EXPECT_EQ(two.exit_code, 0) << two.text;
+    }
+    auto one = contents(root_ / "one/out"), two = contents(root_ / "two/out");
+    EXPECT_GE(one.size(), 3u * (1 + 6 + 6 + 6 + 2));
+    EXPECT_EQ(one, two);
+}
+
+TEST_F(Cli, WritesWhatWasAskedFor) {
+    EXPECT_EQ(run(root_ / "one", "compile materials/normal_map.json -o out --entry normal --emit ir,glsl").exit_code, 0);
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : contents(root_ / "one/out")) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{"normal_map.ir", "normal_map.json", "normal_map.normal.frag.glsl",
+                                               "normal_map.normal.frag.spv", "normal_map.normal.vert.glsl",
+                                               "normal_map.normal.vert.spv"}));
+}
+
+TEST_F(Cli, BadInputWritesNothingAndExitsWith1) {
+    write("one/bad.json", "{ \"version\": 1, \"bmup\": [] }");
+    Outcome out = run(root_ / "one", "compile bad.json -o out --color never");
+    EXPECT_EQ(out.exit_code, 1);
+    EXPECT_EQ(out.text,
+              "bad.json:1:17: error: unknown key 'bmup' in a material, did you mean 'bump'? [SG1101]\n"
+              "{ \"version\": 1, \"bmup\": [] }\n"
+              "                ^^^^^^\n");
+    EXPECT_FALSE(fs::exists(root_ / "one/out"));
+}
+
+TEST_F(Cli, OneBadFileDoesNotStopTheOthers) {
+    write("one/bad.json", "{}");
+    Outcome out = run(root_ / "one", "compile bad.json none.json materials/normal_map.json -o out");
+    EXPECT_EQ(out.exit_code, 1);
+    EXPECT_NE(out.text.find("error: file 'none.json' does not exist [SG1301]\n"), std::string::npos) << out.text;
+    EXPECT_NE(out.text.find("bad.json:1:1: error: a material needs the key 'version' [SG1102]\n"), std::string::npos);
+    EXPECT_TRUE(fs::exists(root_ / "one/out/normal_map.json"));
+}
+
+TEST_F(Cli, ExitCodes) {
+    fs::path one = root_ / "one";
+    EXPECT_EQ(run(one, "").exit_code, 2);
+    EXPECT_EQ(run(one, "compile").exit_code, 2);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --entry lit").exit_code, 2);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out -O0 -Os").exit_code, 2);
+    EXPECT_EQ(run(one, "frobnicate").exit_code, 2);
+    EXPECT_EQ(run(one, "--help").exit_code, 0);
+    EXPECT_EQ(run(one, "compile --help").exit_code, 0);
+    EXPECT_EQ(run(one, "--version").text, "surfgrad 0.1.0\n");
+    EXPECT_EQ(run(one, "check materials/layered.json").exit_code, 0);
+    write("one/file", "in the way");
+    Outcome out = run(one, "compile materials/normal_map.json -o file/out");
+    EXPECT_EQ(out.exit_code, 4) << out.text;
+    EXPECT_NE(out.text.find("[SG1304]"), std::string::npos) << out.text;
+}
+
+TEST_F(Cli, StandardInput) {
+    Outcome out = run(root_ / "one/materials", "compile - --name wall.json -o ../out < normal_map.json");
+    EXPECT_EQ(out.exit_code, 0) << out.text;
+    EXPECT_TRUE(fs::exists(root_ / "one/out/wall.json"));
+    EXPECT_EQ(run(root_ / "one", "check - --color never < /dev/null").text,
+              "stdin:1:1: error: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal [SG1001]\n\n^\n");
+}
+
+TEST_F(Cli, FurtherRootsAndJsonMessages) {
+    fs::create_directories(root_ / "one/other");
+    fs::rename(root_ / "one/materials/textures", root_ / "one/other/textures");
+    EXPECT_EQ(run(root_ / "one", "check materials/normal_map.json").exit_code, 1);
+    EXPECT_EQ(run(root_ / "one", "check materials/normal_map.json -I other").exit_code, 0);
+    Outcome out = run(root_ / "one", "check materials/normal_map.json --diagnostics json");
+    EXPECT_TRUE(out.text.starts_with("{\"severity\":\"error\",\"code\":\"SG1301\"")) << out.text;
+    EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1);
+}
+
+TEST_F(Cli, TablesArePrinted) {
+    EXPECT_NE(run(root_, "kinds").text.find("normal_map: a tangent-space normal map on a uv set\n"), std::string::npos);
+    EXPECT_NE(run(root_, "codes").text.find("SG1105: a layer kind that does not exist\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sg
