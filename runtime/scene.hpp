@@ -14,8 +14,8 @@ namespace sg::runtime {
 
 struct Light {
     glm::dvec3 direction{-0.5, 0.8, 0.6};  // from the surface towards the light, world axes; any length but 0
-    glm::dvec3 radiance{1.6};              // irradiance on a facing surface divided by pi, linear
-    glm::dvec3 ambient{0.12};              // radiance from all around, linear
+    glm::dvec3 radiance{1.1};              // irradiance on a facing surface divided by pi, linear
+    glm::dvec3 ambient{0.09};              // radiance from all around, linear
 };
 
 struct Scene {

@@ -136,6 +136,19 @@ TEST_F(Program, DumpsEveryInputAsALayer) {
                                                "unprojected", "uv0", "uv0-derivatives"}));
 }
 
+TEST_F(Program, AMaterialIsCompiledFirst) {
+    expect("'" SG_SOURCE_DIR "/materials/normal_map.json' -o a.png --size 32 --validate", 0, "");
+    EXPECT_EQ(read("a.png").width, 32u);
+}
+
+TEST_F(Program, TheCompilersMessagesAndExitCodeArePassedOn) {
+    ASSERT_EQ(files_.write_all({{folder_ / "bad.json", "{ \"version\": 1, \"bmup\": [] }"}}), "");
+    Result result = run("bad.json -o a.png");
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.text.find("bad.json:1:17: error: "), std::string::npos) << result.text;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+}
+
 TEST_F(Program, UnknownDevicesAreASystemFailure) {
     Result result = run("sample.json -o a.png --device nothing-like-this");
     EXPECT_EQ(result.exit_code, 4);

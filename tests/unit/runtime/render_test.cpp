@@ -136,7 +136,7 @@ TEST_F(Render, TheTextureStandsUpright) {
     scene_.light = {{0, 0, 1}, glm::dvec3(1), glm::dvec3(0)};
     auto textures = load_textures(files_, artefact_, "dir", diags_);
     auto view = find_view(artefact_, "lit", diags_);
-    RenderOptions options{kSide, kSide, 1, 0, {}};
+    RenderOptions options{2 * kSide, 2 * kSide, 1, 0, {}};  // larger than the texture: level 0
     const std::vector<float> values = {1, 1, 1, 2};
     options.parameters.assign(std::as_bytes(std::span(values)).begin(),
                               std::as_bytes(std::span(values)).end());
@@ -145,10 +145,11 @@ TEST_F(Render, TheTextureStandsUpright) {
     auto near = [&](std::uint32_t x, std::uint32_t y, glm::dvec4 expected) {
         EXPECT_LT(glm::distance(at(*picture, x, y), expected), 1e-3) << x << ' ' << y;
     };
-    near(20, 20, {2, 0, 0, 1});
-    near(44, 20, {0, 2, 0, 1});
-    near(20, 44, {0, 0, 2, 1});
-    near(44, 44, {2, 2, 2, 1});
+    near(40, 40, {2, 0, 0, 1});
+    near(88, 40, {0, 2, 0, 1});
+    near(40, 88, {0, 0, 2, 1});
+    near(88, 88, {2, 2, 2, 1});
+    near(14, 40, {2 * 0.010330, 0, 0, 1});  // the frame's code 26, decoded from sRGB
 }
 
 TEST_F(Render, OneSidedPlanesHideTheirBacks) {
