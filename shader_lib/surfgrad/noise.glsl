@@ -12,12 +12,12 @@ struct SgNoise {
 const float SG_NOISE_MAX_SLOPE = 128.0;  // of f^k near f = 0
 
 // From a word that holds three neighbours of the permutation, P[2j], P[2j + 1], P[2j + 2], lowest byte first: P[i] in
-// bits 0-7 and P[i + 1] in bits 8-15, for i = 2j or 2j + 1.
+// bits 0-7 and P[i + 1] in bits 8-15, for i = 2j or 2j + 1. Cost: 3 instructions.
 uint sg_perlin_pair(uint word, uint i) { return word >> (8u * (i & 1u)); }
 
 // One corner of a cell: xyz its gradient, w the height of its ramp at `offset` from it.
 //   hash: the low four bits choose one of sixteen directions to the edges of a cube, whose x, y and z stand here as
-//   signed numbers of two bits.
+//   signed numbers of two bits. Cost: 15 instructions.
 vec4 sg_perlin_corner(uint hash, vec3 offset) {
     uvec3 directions = uvec3(0x3100ddddu, 0xdddd00f5u, 0xc4f5f500u);
     vec3 gradient = vec3(ivec3(directions << (30u - 2u * (hash & 15u))) >> 30);
@@ -63,16 +63,16 @@ SgNoise sg_noise_perlin(vec3 p) {
     vec4 c0 = c00 + fade.z * dz00, dy0 = c01 + fade.z * dz01 - c0;
     vec4 c1 = c10 + fade.z * dz10, dy1 = c11 + fade.z * dz11 - c1;
     vec4 c = c0 + fade.y * dy0, dx = c1 + fade.y * dy1 - c;
-    vec4 all = c + fade.x * dx;
+    vec4 sum = c + fade.x * dx;
     // The change of the weights adds to the change of the ramps.
     float dz0 = dz00.w + fade.y * (dz01.w - dz00.w), dz1 = dz10.w + fade.y * (dz11.w - dz10.w);
     vec3 across = vec3(dx.w, dy0.w + fade.x * (dy1.w - dy0.w), dz0 + fade.x * (dz1 - dz0));
     vec3 slope = f * g;
-    return SgNoise(all.w, all.xyz + 30.0 * slope * slope * across);
+    return SgNoise(sum.w, sum.xyz + 30.0 * slope * slope * across);
 }
 
 // How much of an octave remains: 1 while a pixel covers at most half a cell, 0 from one cell on, smooth between.
-//   footprint: of the pixel, in cells of the octave, >= 0.
+//   footprint: of the pixel, in cells of the octave, >= 0. Cost: 6 instructions.
 float sg_octave_weight(float footprint) { return 1.0 - smoothstep(0.5, 1.0, footprint); }
 
 // Perlin's fractal sum: the octaves n(2^i p) / 2^i.

@@ -122,8 +122,8 @@ Noise noise_turbulence(glm::dvec3 p, double footprint, int octaves) {
 
 Noise noise_power(const Noise& f, double k) {
     if (!(f.value > 0.0)) return {};
-    const double slope = std::min(k * std::pow(f.value, k - 1.0), 128.0);
-    return {std::pow(f.value, k), slope * f.gradient};
+    const double slope = std::min(k * power(f.value, k - 1.0), 128.0);
+    return {power(f.value, k), slope * f.gradient};
 }
 
 }  // namespace sg::ref

@@ -2,7 +2,7 @@
 // weighted sum over the eight corners of a cell, differentiated by the product rule.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "ir/reference/checked.hpp"
 
 namespace sg::ref {
 
