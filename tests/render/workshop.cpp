@@ -1,0 +1,119 @@
+#include "tests/render/workshop.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "runtime/gpu/device.hpp"
+#include "runtime/parameters.hpp"
+
+namespace sg::truth {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what, const Diags& diags) {
+    throw std::runtime_error(what + ":\n" + render(diags));
+}
+
+// lavapipe filters 8-bit textures in fixed point with 8-bit weights unless told otherwise; its own variable, read when
+// the driver starts.
+runtime::gpu::Device& device() {
+    static runtime::gpu::Device instance = [] {
+        ::setenv("GALLIVM_PERF", "no_aos_sampling", 1);
+        Diags diags;
+        auto made = runtime::gpu::Device::create({"", true}, diags);
+        if (!made) fail("no device", diags);
+        return std::move(*made);
+    }();
+    return instance;
+}
+
+}  // namespace
+
+std::vector<std::string> validation_messages() { return device().log()->messages(); }
+
+Made make(const Recipe& recipe, const target::ShaderLibrary& library) {
+    MemoryFiles files;
+    for (const auto& [path, bytes] : recipe.files) files.contents["in/" + path] = bytes;
+    CompileRequest request;
+    request.source = std::make_shared<Source>(Source{"case.json", recipe.json});
+    request.stem = "case";
+    request.roots = {"in"};
+    request.entries = recipe.entries;
+    request.optimise_ir = recipe.optimise;
+    request.spirv.optimise = recipe.optimise ? target::Optimise::speed : target::Optimise::none;
+    Diags diags;
+    auto compiled = compile_material(request, files, library, diags);
+    if (!compiled) fail(recipe.json, diags);
+    std::vector<std::pair<fs::path, std::string>> out;
+    for (auto& [name, bytes] : compiled->files) out.emplace_back(fs::path("out") / name, std::move(bytes));
+    files.write_all(out);
+    auto artefact = runtime::read_artefact(files, "out/case.json", diags);
+    if (!artefact) fail(recipe.json, diags);
+    auto textures = runtime::load_textures(files, *artefact, "in", diags);
+    auto parameters = runtime::pack_parameters(*artefact, {}, diags);
+    if (!textures || !parameters) fail(recipe.json, diags);
+    return {std::move(*artefact), std::move(*textures), std::move(*parameters)};
+}
+
+Made make(const Recipe& recipe) {
+    static const target::ShaderLibrary kLibrary = target::embedded_library();
+    return make(recipe, kLibrary);
+}
+
+runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view, std::uint32_t width,
+                      std::uint32_t height) {
+    Diags diags;
+    auto found = runtime::find_view(made.artefact, view, diags);
+    if (!found) fail(view, diags);
+    runtime::RenderOptions options{width, height, 1, 0, made.parameters};
+    auto picture = runtime::render(device(), made.artefact, made.textures, scene, *found, options, diags);
+    if (!picture) fail(view, diags);
+    return std::move(*picture);
+}
+
+std::map<std::string, std::string> sample_files() {
+    std::map<std::string, std::string> out;
+    const fs::path root = fs::path(SG_SOURCE_DIR) / "materials";
+    RealFiles files;
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        const bool wanted = entry.path().extension() == ".json" || entry.path().extension() == ".png";
+        if (entry.is_regular_file() && wanted)
+            out[entry.path().lexically_relative(root).generic_string()] = files.read(entry.path()).bytes;
+    }
+    return out;
+}
+
+Percentiles percentiles(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    return {values[n / 2], values[n * 99 / 100], values[n - 1], n};
+}
+
+glm::dvec3 rgb(const runtime::Picture& picture, std::uint32_t x, std::uint32_t y) {
+    const asset::Image& v = picture.values;
+    return {v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2)};
+}
+
+bool covered(const runtime::Picture& picture, std::uint32_t x, std::uint32_t y) {
+    return picture.coverage[std::size_t{y} * picture.values.width + x] == 1;
+}
+
+void show(const runtime::Picture& picture, const std::string& name) {
+    const char* folder = std::getenv("SG_RENDER_PICTURES");
+    if (!folder) return;
+    asset::Image out = asset::make_image(picture.values.width, picture.values.height, asset::TexelFormat::unorm8);
+    for (std::uint32_t y = 0; y < out.height; ++y) {
+        for (std::uint32_t x = 0; x < out.width; ++x) {
+            for (int c = 0; c < 3; ++c) out.set(x, y, c, covered(picture, x, y) ? picture.values.at(x, y, c) * 0.5 + 0.5 : 0.2);
+            out.set(x, y, 3, 1);
+        }
+    }
+    std::ofstream(fs::path(folder) / (name + ".png"), std::ios::binary) << asset::png_bytes(out);
+}
+
+}  // namespace sg::truth
