@@ -10,6 +10,7 @@
 #include "base/ice.hpp"
 #include "runtime/compute.hpp"
 #include "runtime/gpu/device.hpp"
+#include "runtime/gpu/image.hpp"
 
 namespace sg::proof {
 namespace {
@@ -39,6 +40,50 @@ void put(int k, vec2 v) { put(k, v.x); put(k + 1, v.y); }
 void put(int k, vec3 v) { put(k, v.xy); put(k + 2, v.z); }
 void put(int k, vec4 v) { put(k, v.xyz); put(k + 3, v.w); }
 )";
+
+std::string texture_declarations(std::size_t count) {
+    std::string out;
+    for (std::size_t i = 0; i < count; ++i) {
+        out += fmt::format("layout(set = 0, binding = {}) uniform texture2D image_{};\n", 3 + 2 * i, i);
+        out += fmt::format("layout(set = 0, binding = {}) uniform sampler sampler_{};\n", 4 + 2 * i, i);
+    }
+    return out;
+}
+
+std::optional<runtime::gpu::Image> upload(const ref::MemoryTexture& texture, Diags& diags) {
+    std::vector<std::vector<glm::vec4>> texels;
+    std::vector<runtime::gpu::Level> levels;
+    for (const auto& level : texture.chain) {
+        texels.emplace_back(level.texels.begin(), level.texels.end());
+        VkExtent2D extent{static_cast<std::uint32_t>(level.size.x), static_cast<std::uint32_t>(level.size.y)};
+        levels.push_back({extent, std::as_bytes(std::span<const glm::vec4>(texels.back()))});
+    }
+    return runtime::gpu::Image::create_texture(device(), VK_FORMAT_R32G32B32A32_SFLOAT, levels, diags);
+}
+
+runtime::gpu::SamplerState sampling_of(const ref::Sampler& sampler) {
+    auto wrap = [](ref::Wrap w) {
+        return w == ref::Wrap::clamp ? runtime::gpu::Wrap::clamp : runtime::gpu::Wrap::repeat;
+    };
+    return {.wrap_s = wrap(sampler.wrap_s), .wrap_t = wrap(sampler.wrap_t)};
+}
+
+bool run_words(const Case& item, std::span<const std::uint32_t> words, std::span<const float> inputs,
+               std::span<float> outputs, Diags& diags) {
+    std::vector<runtime::gpu::Image> images;
+    images.reserve(item.textures.size());
+    std::vector<runtime::ComputeTexture> textures;
+    for (const auto& texture : item.textures) {
+        auto image = upload(texture->image, diags);
+        if (!image) return false;
+        images.push_back(std::move(*image));
+        textures.push_back({&images.back(), sampling_of(texture->sampler)});
+    }
+    auto compute = runtime::Compute::create(device(), words, diags, textures);
+    const auto in_size = static_cast<std::size_t>(item.inputs);
+    return compute && compute->run(inputs, in_size, outputs, static_cast<std::size_t>(item.outputs),
+                                   inputs.size() / in_size, diags);
+}
 
 std::string listed(std::span<const float> floats) {
     std::string out;
@@ -101,7 +146,7 @@ std::string shader_text(const Case& item) {
     std::string text = kPrologue;
     std::istringstream files(item.include);
     for (std::string file; files >> file;) text += "#include \"" + file + "\"\n";
-    text += item.declarations;
+    text += texture_declarations(item.textures.size()) + item.declarations;
     text += "void proof_case() {\n" + item.glsl + "\n}\n";
     text += fmt::format(R"(void main() {{
     uint i = gl_GlobalInvocationID.x;
@@ -125,9 +170,7 @@ std::vector<float> evaluate(const Case& item, std::span<const float> inputs, con
         return outputs;
     }
     Diags diags;
-    std::optional<runtime::Compute> compute = runtime::Compute::create(device(), compiled.words, diags);
-    const bool ran = compute && compute->run(inputs, static_cast<std::size_t>(item.inputs), outputs,
-                                             static_cast<std::size_t>(item.outputs), count, diags);
+    const bool ran = run_words(item, compiled.words, inputs, outputs, diags);
     if (!ran) ADD_FAILURE() << item.name << " does not run:\n" << render(diags);
     return outputs;
 }

@@ -9,11 +9,13 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "glsl.hpp"
+#include "ir/reference/texture.hpp"
 #include "random.hpp"
 
 namespace sg::proof {
@@ -64,6 +66,12 @@ struct Bound {
     double relative = 0.0;
 };
 
+// A texture of a case: 32-bit floats, filtered linearly within and between levels. Texels must be floats.
+struct CaseTexture {
+    ref::MemoryTexture image;
+    ref::Sampler sampler;
+};
+
 struct Case {
     std::string name = {};
     std::string include = {};  // library file; several: separated by a blank
@@ -81,8 +89,10 @@ struct Case {
     // What must hold for every result: "" or what is wrong.
     std::function<std::string(const In& in, const In& out)> property = {};
     std::vector<Mutant> mutants = {};
-    std::string declarations =
-        {};  // GLSL before the function that holds `glsl`; for published formulas to compare with
+    // GLSL before the function that holds `glsl`: published formulas to compare with, say.
+    std::string declarations = {};
+    // In GLSL: texture i is `texture2D image_<i>` with `sampler sampler_<i>`.
+    std::vector<std::shared_ptr<const CaseTexture>> textures = {};
 };
 
 // The shader that evaluates a case, without its #version line.
