@@ -185,8 +185,11 @@ runtime::Scene scene_of(const Case& c) {
     return scene;
 }
 
-Recipe recipe_of(const Case& c) {
-    Recipe recipe;
+const Recipe& recipe_of(const Case& c) {
+    static std::map<std::string, Recipe> recipes;  // mutants draw cases again
+    auto [at, fresh] = recipes.try_emplace(c.name);
+    Recipe& recipe = at->second;
+    if (!fresh) return recipe;
     nlohmann::json material = {{"version", 1}, {"bump", {{{"layers", nlohmann::json::array()}}}}};
     constexpr const char* kSides[] = {"off", "mirror", "flip"};
     material["surface"]["two_sided"] = kSides[static_cast<int>(c.two_sided)];

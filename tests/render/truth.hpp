@@ -26,7 +26,7 @@ struct Outcome {
 Outcome run_case(const Case& c, const target::ShaderLibrary& library);
 
 // Parts of run_case that other tests use.
-Recipe recipe_of(const Case& c);
+const Recipe& recipe_of(const Case& c);
 runtime::Scene scene_of(const Case& c);
 
 }  // namespace sg::truth
