@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <random>
 
 #include "base/files.hpp"
 #include "runtime/parameters.hpp"
@@ -112,6 +113,28 @@ TEST(Artefact, NoticesAShaderThatIsNotItsOwn) {
     files.contents["dir/sample.json"].replace(files.contents["dir/sample.json"].find(expected),
                                               expected.size(), content_hash(shader));
     expect_errors(files, "error: 'sample.debug.frag.spv' is not a SPIR-V file [SG2102]\n");
+}
+
+// Damaged manifests are read or refused; the sanitisers watch.
+TEST(Artefact, SurvivesDamage) {
+    const std::string whole = test::sample_manifest();
+    const std::vector<std::string> pieces = {"-1",   "1e300",       "null", "[]", "{}",
+                                             "\"\"", "\"\\u0000\"", "true", ","};
+    std::mt19937 random(7);
+    int refused = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = whole;
+        std::size_t from = text.find_first_of("0123456789[{\"", random() % text.size());
+        if (from == std::string::npos) continue;
+        std::size_t size = std::min<std::size_t>(1 + random() % 12, text.size() - from);
+        text.replace(from, size, pieces[random() % pieces.size()]);
+        Diags diags;
+        auto artefact = read_manifest(text, "x.json", diags);
+        EXPECT_EQ(artefact.has_value(), !diags.has_errors());
+        if (artefact) pack_parameters(*artefact, std::vector<std::string>{"tint=1,2,3"}, diags);
+        refused += artefact ? 0 : 1;
+    }
+    EXPECT_GT(refused, 1000);
 }
 
 TEST(Parameters, StartFromTheDefaultsAndTakeSettings) {
