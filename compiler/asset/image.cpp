@@ -109,6 +109,7 @@ std::optional<Image> read_image(std::string_view bytes, std::string_view name, c
     if (starts_with(bytes, "\x89PNG")) return read_png(source, diags);
     if (starts_with(bytes, "\x76\x2f\x31\x01")) return read_exr(source, diags);
     if (starts_with(bytes, "PF") || starts_with(bytes, "Pf")) return read_pfm(source, diags);
+    if (starts_with(bytes, "#?")) return read_hdr(source, diags);
     return read_with_stb(source, diags);
 }
 

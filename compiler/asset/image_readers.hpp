@@ -18,7 +18,8 @@ struct ImageSource {
 };
 
 std::optional<Image> read_png(const ImageSource& source, Diags& diags);
-std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags);  // JPEG, TGA, BMP, HDR
+std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags);  // JPEG, TGA, BMP
+std::optional<Image> read_hdr(const ImageSource& source, Diags& diags);
 std::optional<Image> read_exr(const ImageSource& source, Diags& diags);
 std::optional<Image> read_pfm(const ImageSource& source, Diags& diags);
 

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <type_traits>
 
 #include "asset/image_readers.hpp"
 
@@ -11,10 +11,15 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
+// Zeroed memory: the packaged version decodes with Huffman tables that a damaged JPEG never defined.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(memory, size) std::realloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
-#define STBI_ONLY_HDR
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #include <stb/stb_image.h>
 
 namespace sg::asset {
@@ -25,9 +30,11 @@ struct Free {
 };
 
 // Texels that one byte of each format can stand for at most, generously: progressive JPEG spends at least a
-// bit per 8x8 block, run lengths of TGA and HDR reach 128 texels. Keeps a few hostile bytes from asking for
+// bit per 8x8 block, run lengths of TGA reach 128 texels. Keeps a few hostile bytes from asking for
 // gigabytes.
 constexpr std::uint64_t kMostTexelsPerByte = 512;
+
+constexpr int kMostCodes = 255;  // of one Huffman table; those of 8-bit JPEGs have at most 162
 
 bool plausible_size(const ImageSource& source, int width, int height) {
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <=
@@ -45,7 +52,7 @@ bool huffman_tables_fit(std::string_view bytes) {
         while (left > 0 && byte(table) >> 4 <= 1 && (byte(table) & 15) <= 3) {
             int codes = 0;
             for (std::size_t i = 1; i <= 16; ++i) codes += byte(table + i);
-            if (codes > 256) return false;
+            if (codes > kMostCodes) return false;
             table += 17 + static_cast<std::size_t>(codes);
             left -= 17 + codes;
         }
@@ -60,20 +67,6 @@ int size_of(const ImageSource& source) {
     return static_cast<int>(source.bytes.size());
 }
 
-template <class Texel>
-std::optional<Image> take(const ImageSource& source, Texel* raw, int width, int height, Diags& diags) {
-    const std::unique_ptr<Texel, Free> texels(raw);
-    if (!raw) {
-        report_bad_image(source, fmt::format("damaged file ({})", stbi_failure_reason()), diags);
-        return std::nullopt;
-    }
-    constexpr bool is_float = std::is_same_v<Texel, float>;
-    Image image = make_image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                             is_float ? TexelFormat::float32 : TexelFormat::unorm8);
-    std::memcpy(image.bytes.data(), raw, image.bytes.size());
-    return image;
-}
-
 }  // namespace
 
 std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
@@ -84,7 +77,7 @@ std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
         return std::nullopt;
     }
     if (source.bytes.starts_with("\xff\xd8") && !huffman_tables_fit(source.bytes)) {
-        report_bad_image(source, "damaged JPEG (a Huffman table has more than 256 codes)", diags);
+        report_bad_image(source, "damaged JPEG (a Huffman table has more than 255 codes)", diags);
         return std::nullopt;
     }
     int width = 0, height = 0, channels = 0;
@@ -102,12 +95,16 @@ std::optional<Image> read_with_stb(const ImageSource& source, Diags& diags) {
                          diags);
         return std::nullopt;
     }
-    if (stbi_is_hdr_from_memory(data_of(source), size_of(source))) {
-        float* raw = stbi_loadf_from_memory(data_of(source), size_of(source), &width, &height, &channels, 4);
-        return take(source, raw, width, height, diags);
+    const std::unique_ptr<stbi_uc, Free> texels(
+        stbi_load_from_memory(data_of(source), size_of(source), &width, &height, &channels, 4));
+    if (!texels) {
+        report_bad_image(source, fmt::format("damaged file ({})", stbi_failure_reason()), diags);
+        return std::nullopt;
     }
-    stbi_uc* raw = stbi_load_from_memory(data_of(source), size_of(source), &width, &height, &channels, 4);
-    return take(source, raw, width, height, diags);
+    Image image = make_image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                             TexelFormat::unorm8);
+    std::memcpy(image.bytes.data(), texels.get(), image.bytes.size());
+    return image;
 }
 
 }  // namespace sg::asset

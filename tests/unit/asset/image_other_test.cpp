@@ -60,6 +60,18 @@ bool value_or_error(std::string_view bytes) {
     return diags.error_count() == (value ? 0u : 1u);
 }
 
+TEST(OtherImages, HdrRunsAreUnpacked) {
+    const std::string runs = bytes_of({2, 2, 0, 8, 136, 128, 8, 1, 2, 3, 4, 5, 6, 7, 8, 136, 0, 136, 129});
+    Diags diags;
+    const auto image = read("#?RGBE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=1\n\n-Y 2 +X 8\n" + runs + runs, diags);
+    ASSERT_TRUE(image) << render(diags);
+    EXPECT_EQ(image->at(0, 1, 0), 1.0);
+    EXPECT_EQ(image->at(7, 1, 1), 8.0 / 128.0);
+    EXPECT_EQ(image->at(7, 1, 2), 0.0);
+    EXPECT_FALSE(read("#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n" + runs, diags));
+    EXPECT_EQ(diags.all().at(0).message, "cannot read 'a' as an image: damaged HDR (scan line 1)");
+}
+
 TEST(OtherImages, EveryDamagedByteGivesAValueOrOneError) {
     for (const std::string& bytes : {tga(), bmp(), hdr()}) {
         for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -80,7 +92,7 @@ TEST(OtherImages, AJpegWithTooManyCodesIsRefused) {
     Diags diags;
     EXPECT_FALSE(read(frame + table, diags));
     EXPECT_EQ(diags.all().at(0).message,
-              "cannot read 'a' as an image: damaged JPEG (a Huffman table has more than 256 codes)");
+              "cannot read 'a' as an image: damaged JPEG (a Huffman table has more than 255 codes)");
 }
 
 }  // namespace
