@@ -13,7 +13,6 @@ namespace sg::truth {
 namespace {
 
 constexpr std::uint32_t kTexels = 256;  // per side of a texture
-constexpr std::uint32_t kPixels = 96;   // per side of a picture
 constexpr double kDegrees = 180 / 3.141592653589793;
 constexpr double kUlp = 1.1920929e-7;  // of fp32, relative
 
@@ -106,6 +105,23 @@ glm::mat4 placement_matrix(Placement placement) {
 
 double scale_of(const glm::dmat4& matrix) { return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix)))); }
 
+// Positions do not depend on the material: one picture for all cases that share a scene.
+const runtime::Picture& positions_of(const Case& c, const runtime::Scene& scene) {
+    static std::map<std::string, runtime::Picture> pictures;
+    const bool both_sides = c.two_sided != Side::front;
+    const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(c.shape), static_cast<int>(c.eye), c.orthographic,
+                                        static_cast<int>(c.placement), both_sides);
+    auto [at, fresh] = pictures.try_emplace(key);
+    if (fresh) {
+        static const Made kFront = make({R"({"version": 1})", {}, {"debug"}});
+        static const Made kBoth = make({R"({"version": 1, "surface": {"two_sided": "mirror"}})", {}, {"debug"}});
+        at->second = draw(both_sides ? kBoth : kFront, scene, "position", kPixels, kPixels);
+    }
+    return at->second;
+}
+
+}  // namespace
+
 // filter: bilinear filtering between values of a function f with second derivatives is off by at most 1/8 of the second
 //   difference along x plus the same along y. An error e of the encoded unit normal is one of e (1 + d^2) in the slope d,
 //   and of e / z = e sqrt(1 + d^2) more where z follows from x and y. At mip level l the texel is also an average over
@@ -155,23 +171,6 @@ Bound bound_of(const Case& c) {
     return bound;
 }
 
-// Positions do not depend on the material: one picture for all cases that share a scene.
-const runtime::Picture& positions_of(const Case& c, const runtime::Scene& scene) {
-    static std::map<std::string, runtime::Picture> pictures;
-    const bool both_sides = c.two_sided != Side::front;
-    const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(c.shape), static_cast<int>(c.eye), c.orthographic,
-                                        static_cast<int>(c.placement), both_sides);
-    auto [at, fresh] = pictures.try_emplace(key);
-    if (fresh) {
-        static const Made kFront = make({R"({"version": 1})", {}, {"debug"}});
-        static const Made kBoth = make({R"({"version": 1, "surface": {"two_sided": "mirror"}})", {}, {"debug"}});
-        at->second = draw(both_sides ? kBoth : kFront, scene, "position", kPixels, kPixels);
-    }
-    return at->second;
-}
-
-}  // namespace
-
 runtime::Scene scene_of(const Case& c) {
     runtime::Scene scene;
     const glm::mat4 world = placement_matrix(c.placement);
@@ -212,11 +211,15 @@ const Recipe& recipe_of(const Case& c) {
     return recipe;
 }
 
-Outcome run_case(const Case& c, const target::ShaderLibrary& library) {
+Made make_case(const Case& c, const target::ShaderLibrary& library) {
     Made made = make(recipe_of(c), library);
-    if (c.mip_level == 0) {
-        for (auto& chain : made.textures.chains) chain.resize(1);
-    }
+    if (c.mip_level > 0) return made;
+    for (auto& chain : made.textures.chains) chain.resize(1);
+    return made;
+}
+
+Outcome run_case(const Case& c, const target::ShaderLibrary& library) {
+    const Made made = make_case(c, library);
     const runtime::Scene scene = scene_of(c);
     const runtime::Picture normals = draw(made, scene, "normal", kPixels, kPixels);
     const runtime::Picture& positions = positions_of(c, scene);

@@ -26,7 +26,10 @@ struct Outcome {
 Outcome run_case(const Case& c, const target::ShaderLibrary& library);
 
 // Parts of run_case that other tests use.
+constexpr std::uint32_t kPixels = 96;  // per side of a picture
 const Recipe& recipe_of(const Case& c);
+Made make_case(const Case& c, const target::ShaderLibrary& library);
 runtime::Scene scene_of(const Case& c);
+Bound bound_of(const Case& c);
 
 }  // namespace sg::truth

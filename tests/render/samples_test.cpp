@@ -1,0 +1,119 @@
+// Every sample of materials/: the optimisers change nothing that can be seen, nor does the order of layers, and the
+// validation layers have nothing to say.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "runtime/mesh/shapes.hpp"
+#include "tests/render/workshop.hpp"
+
+namespace sg::truth {
+namespace {
+
+constexpr std::uint32_t kSide = 128;
+
+const std::map<std::string, std::string>& files() {
+    static const std::map<std::string, std::string> kFiles = sample_files();
+    return kFiles;
+}
+
+// Materials alone; the textures' folder may hold other JSON.
+std::vector<std::string> sample_names() {
+    std::vector<std::string> out;
+    for (const auto& [path, bytes] : files()) {
+        if (path.ends_with(".json") && path.find('/') == std::string::npos) out.push_back(path);
+    }
+    return out;
+}
+
+runtime::Scene torus_scene() {
+    runtime::Scene scene;
+    scene.content.meshes.push_back(*runtime::make_shape("torus"));
+    scene.content.instances.push_back({"torus", 0});
+    scene.camera = runtime::default_camera(runtime::bounds_of(scene.content), 1);
+    return scene;
+}
+
+// Of one component: absolute up to 1, relative above, as a highlight's radiance has no upper limit.
+double largest_difference(const runtime::Picture& a, const runtime::Picture& b) {
+    double largest = 0;
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            if (covered(a, x, y) != covered(b, x, y)) return INFINITY;
+            const glm::dvec3 d = glm::abs(rgb(a, x, y) - rgb(b, x, y)) / glm::max(glm::abs(rgb(a, x, y)), glm::dvec3(1));
+            if (!(d.x + d.y + d.z < INFINITY)) return INFINITY;
+            largest = std::max({largest, d.x, d.y, d.z});
+        }
+    }
+    return largest;
+}
+
+std::size_t covered_count(const runtime::Picture& picture) {
+    return static_cast<std::size_t>(std::count(picture.coverage.begin(), picture.coverage.end(), 1.0f));
+}
+
+// What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the square of
+// (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of 2^-24 there, doubled by the
+// square, are relative to a^2.
+double limit(const std::string& json, const std::string& view) {
+    if (view != "lit") return 1e-5;
+    const double roughness = nlohmann::json::parse(json)["surface"].value("roughness", 0.5);
+    return std::max(1e-5, 8 * std::ldexp(1, -24) / std::pow(roughness, 4));
+}
+
+class Samples : public testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] Recipe recipe(bool optimise = true) const {
+        return {files().at(GetParam()), files(), {"forward", "normal", "debug"}, optimise};
+    }
+};
+
+TEST_P(Samples, RenderAlikeOptimisedAndNot) {
+    const Made plain = make(recipe(false)), optimised = make(recipe(true));
+    const runtime::Scene scene = torus_scene();
+    for (const char* view : {"normal", "lit", "gradient"}) {
+        const runtime::Picture a = draw(plain, scene, view, kSide, kSide), b = draw(optimised, scene, view, kSide, kSide);
+        EXPECT_GT(covered_count(a), kSide * kSide / 5) << view;
+        const double difference = largest_difference(a, b);
+        fmt::print("{} {}: optimised and plain differ by {:.2e}\n", GetParam(), view, difference);
+        EXPECT_LE(difference, limit(files().at(GetParam()), view)) << view;
+        if (std::string_view(view) == "lit") show(b, GetParam() + ".lit");
+    }
+    EXPECT_EQ(validation_messages(), std::vector<std::string>{});
+}
+
+TEST_P(Samples, EveryDebugViewDrawsFiniteNumbers) {
+    const Made made = make(recipe());
+    const runtime::Scene scene = torus_scene();
+    for (const runtime::View& view : runtime::all_views(made.artefact)) {
+        const runtime::Picture picture = draw(made, scene, view.view.name, kSide, kSide);
+        EXPECT_LT(largest_difference(picture, picture), 1e-30) << view.view.name;
+    }
+    EXPECT_EQ(validation_messages(), std::vector<std::string>{});
+}
+
+// Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place.
+TEST_P(Samples, OrderOfLayersDoesNotMatter) {
+    nlohmann::json material = nlohmann::json::parse(files().at(GetParam()));
+    if (!material.contains("bump")) return;
+    for (auto& stage : material["bump"]) std::reverse(stage["layers"].begin(), stage["layers"].end());
+    Recipe reversed = recipe();
+    reversed.json = material.dump();
+    const runtime::Scene scene = torus_scene();
+    const double difference = largest_difference(draw(make(recipe()), scene, "normal", kSide, kSide),
+                                                 draw(make(reversed), scene, "normal", kSide, kSide));
+    fmt::print("{}: layers reversed differ by {:.2e}\n", GetParam(), difference);
+    EXPECT_LE(difference, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, Samples, testing::ValuesIn(sample_names()), [](const auto& row) {
+    std::string name = row.param.substr(0, row.param.find('.'));
+    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace sg::truth
