@@ -93,7 +93,7 @@ SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
     return sum;
 }
 
-// Perlin's turbulence: the octaves |n(2^i p)| / 2^i. Arguments and cost as sg_noise_fractal_sum.
+// Perlin's turbulence: the octaves |n(2^i p)| / 2^i. Arguments as sg_noise_fractal_sum. Cost: as that.
 // Result: 0 <= value < 2; the gradient is exact but on the zeros of an octave, where the value has a corner and that
 // octave adds nothing. One evaluation: differences would take four and drown in rounding at fine steps.
 SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {

@@ -29,9 +29,8 @@ struct SgTriplanarUv {
 // number or zero. Cost: about 30 instructions, three powers among them. Source: Listing 14.
 vec3 sg_triplanar_weights(vec3 n, float k) {
     vec3 facing = abs(n) - 0.2;
-    vec3 shown = vec3(facing.x > 0.0 ? facing.x : 0.0, facing.y > 0.0 ? facing.y : 0.0, facing.z > 0.0 ? facing.z : 0.0);
     // The largest becomes 1, which no power takes below the smallest number.
-    vec3 ratio = shown / max(max(shown.x, shown.y), max(shown.z, 1e-30));
+    vec3 ratio = facing / max(max(facing.x, facing.y), max(facing.z, 1e-30));
     vec3 w = vec3(ratio.x > 0.0 ? pow(ratio.x, k) : 0.0, ratio.y > 0.0 ? pow(ratio.y, k) : 0.0,
                   ratio.z > 0.0 ? pow(ratio.z, k) : 0.0);
     float sum = w.x + w.y + w.z;
