@@ -33,18 +33,20 @@ std::vector<Case> plane_cases() {
         {"plane_uv_xy_up_zero128", plane, {{.two_channels = true, .zero = 128}}},
         {"plane_vertex_xy_down_zero127", plane, {{.from_vertex = true, .two_channels = true, .green_up = false, .zero = 127}}},
         {"plane_uv_xyz_up_zero127", plane, {{.zero = 127}}},
-        {"plane_uv_mirrored", plane, {uv}, true},
-        {"plane_vertex_mirrored", plane, {vertex}, true},
+        {"plane_uv_mirrored", plane, {uv}, Unwrap::mirrored},
+        {"plane_vertex_mirrored", plane, {vertex}, Unwrap::mirrored},
         {"plane_uv_tiling3", plane, {{.tiling = {3, 3}}}},
         {"plane_uv_tiling_negative", plane, {{.tiling = {-2, 2}}}},
         {"plane_vertex_tiling_negative", plane, {{.from_vertex = true, .tiling = {2, -2}}}},
         {"plane_uv_strength", plane, {{.strength = 1.7}}},
         {"plane_vertex_strength_negative", plane, {{.from_vertex = true, .strength = -0.6}}},
-        {"plane_uv_orthographic", plane, {uv}, false, Eye::front, true},
-        {"plane_uv_behind_mirror", plane, {uv}, false, Eye::behind, false, Placement::none, Side::mirror},
-        {"plane_vertex_behind_flip", plane, {vertex}, false, Eye::behind, false, Placement::none, Side::flip},
-        {"plane_vertex_mirrored_instance_behind_mirror", plane, {vertex}, false, Eye::behind, false, Placement::mirrored, Side::mirror},
-        {"plane_uv_mips", plane, {{.float_texels = true}}, false, Eye::facing, true, Placement::none, Side::front, 2},
+        {"plane_uv_orthographic", plane, {uv}, Unwrap::straight, Eye::front, true},
+        {"plane_uv_behind_mirror", plane, {uv}, Unwrap::straight, Eye::behind, false, Placement::none, Side::mirror},
+        {"plane_vertex_behind_flip", plane, {vertex}, Unwrap::straight, Eye::behind, false, Placement::none, Side::flip},
+        {"plane_vertex_mirrored_instance_behind_mirror", plane, {vertex}, Unwrap::straight, Eye::behind, false, Placement::mirrored, Side::mirror},
+        {"plane_uv_mips", plane, {{.float_texels = true}}, Unwrap::straight, Eye::facing, true, Placement::none, Side::front, false, 2},
+        {"plane_vertex_folded_tangents_made", plane, {vertex}, Unwrap::folded, Eye::front, false, Placement::none, Side::front, true},
+        {"plane_uv_folded", plane, {uv}, Unwrap::folded},
         {"plane_two_uv_sets", plane, {vertex, {.uv = 1, .height = 1, .strength = 0.8}}},
     };
 }
@@ -55,18 +57,22 @@ std::vector<Case> curved_cases() {
     return {
         {"sphere_uv", sphere, {uv}},
         {"sphere_vertex_down", sphere, {{.from_vertex = true, .green_up = false}}},
-        {"sphere_vertex_mirrored", sphere, {vertex}, true},
+        {"sphere_vertex_mirrored", sphere, {vertex}, Unwrap::mirrored},
+        {"sphere_vertex_mirrored_tangents_made", sphere, {vertex}, Unwrap::mirrored, Eye::front, false, Placement::none, Side::front, true},
+        {"torus_vertex_turned_tangents_made", torus, {vertex}, Unwrap::straight, Eye::front, false, Placement::turned, Side::front, true},
+        {"sphere_vertex_squashed", sphere, {vertex}, Unwrap::straight, Eye::front, false, Placement::squashed},
+        {"torus_uv_squashed", torus, {uv}, Unwrap::straight, Eye::front, false, Placement::squashed},
         {"sphere_uv_second_set", sphere, {{.uv = 1, .height = 1}}},
-        {"sphere_vertex_turned", sphere, {vertex}, false, Eye::front, false, Placement::turned},
-        {"sphere_uv_inside_flip", sphere, {uv}, false, Eye::inside, false, Placement::none, Side::flip},
-        {"sphere_vertex_inside_mirror", sphere, {vertex}, false, Eye::inside, false, Placement::none, Side::mirror},
-        {"sphere_uv_far", sphere, {uv}, false, Eye::far},
+        {"sphere_vertex_turned", sphere, {vertex}, Unwrap::straight, Eye::front, false, Placement::turned},
+        {"sphere_uv_inside_flip", sphere, {uv}, Unwrap::straight, Eye::inside, false, Placement::none, Side::flip},
+        {"sphere_vertex_inside_mirror", sphere, {vertex}, Unwrap::straight, Eye::inside, false, Placement::none, Side::mirror},
+        {"sphere_uv_far", sphere, {uv}, Unwrap::straight, Eye::far},
         {"torus_vertex", torus, {vertex}},
-        {"torus_uv_mirrored", torus, {uv}, true},
+        {"torus_uv_mirrored", torus, {uv}, Unwrap::mirrored},
         {"torus_two_uv_sets", torus, {vertex, {.uv = 1, .height = 1, .strength = 0.8, .two_channels = true}}},
-        {"torus_vertex_mirrored_instance", torus, {vertex}, false, Eye::front, false, Placement::mirrored},
-        {"torus_uv_mirrored_instance", torus, {uv}, false, Eye::front, false, Placement::mirrored},
-        {"torus_uv_turned_orthographic", torus, {uv}, false, Eye::front, true, Placement::turned},
+        {"torus_vertex_mirrored_instance", torus, {vertex}, Unwrap::straight, Eye::front, false, Placement::mirrored},
+        {"torus_uv_mirrored_instance", torus, {uv}, Unwrap::straight, Eye::front, false, Placement::mirrored},
+        {"torus_uv_turned_orthographic", torus, {uv}, Unwrap::straight, Eye::front, true, Placement::turned},
         {"torus_vertex_tiling_negative", torus, {{.from_vertex = true, .tiling = {-1, 1}}}},
         {"cylinder_coarse_vertex", cylinder, {vertex}},
         {"cylinder_coarse_uv", cylinder, {uv}},
@@ -92,7 +98,7 @@ const Case& case_named(const std::string& name) {
 }
 
 Bump bump_of(const Case& c, const Layer& layer) {
-    Bump bump{{kHeights[static_cast<std::size_t>(layer.height)], -1}, {layer.uv, c.mirror_u}, layer.tiling, layer.strength};
+    Bump bump{{kHeights[static_cast<std::size_t>(layer.height)], -1}, {layer.uv, c.unwrap}, layer.tiling, layer.strength};
     for (Wave& wave : bump.height.waves) wave.amplitude *= amplitude(c.shape);
     if (c.shape == Shape::sphere) bump.height.taper_axis = layer.uv == 1 ? 0 : 1;
     return bump;

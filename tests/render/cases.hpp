@@ -24,17 +24,20 @@ struct Layer {
 };
 
 enum class Eye { front, behind, inside, far, facing };  // facing: straight on and orthographic, for the mip case
-enum class Placement { none, turned, mirrored };        // turned: rotation, uniform scale 2 and a translation
+// All but none turn and move. turned: uniform scale 2; mirrored: of negative determinant; squashed: not uniform, along the
+// axis of the sphere and the torus, so that their parameter lines stay perpendicular.
+enum class Placement { none, turned, mirrored, squashed };
 
 struct Case {
     std::string name;
     Shape shape = Shape::plane;
     std::vector<Layer> layers;
-    bool mirror_u = false;
+    Unwrap unwrap = Unwrap::straight;
     Eye eye = Eye::front;
     bool orthographic = false;
     Placement placement = Placement::none;
     Side two_sided = Side::front;  // front: off
+    bool tangents_made = false;    // by the runtime from uv0, instead of the shape's exact ones
     int mip_level = 0;             // the coarsest level that is read; 0: the texture has no other
 };
 

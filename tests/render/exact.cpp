@@ -115,32 +115,44 @@ glm::dvec2 Height::gradient(glm::dvec2 c) const {
 
 glm::dvec2 Chart::from_surface(glm::dvec2 st) const {
     if (uv_set == 1) return {st.y, st.x};
-    return {mirrored ? 1 - st.x : st.x, st.y};
+    if (unwrap == Unwrap::folded) return {std::abs(2 * st.x - 1), st.y};
+    return {unwrap == Unwrap::mirrored ? 1 - st.x : st.x, st.y};
 }
 
-glm::dvec2 Chart::to_surface(glm::dvec2 c) const { return from_surface(c); }  // each is its own inverse
+glm::dvec2 Chart::to_surface(glm::dvec2 c) const {
+    if (uv_set == 0 && unwrap == Unwrap::folded) return {(1 + c.x) / 2, c.y};
+    return from_surface(c);  // the others are their own inverses
+}
+
+double Chart::rate(glm::dvec2 st) const {
+    if (uv_set == 1 || unwrap == Unwrap::straight) return 1;
+    if (unwrap == Unwrap::mirrored) return -1;
+    return st.x < 0.5 ? -2 : 2;
+}
 
 glm::dvec2 height_gradient(const Bump& bump, glm::dvec2 st) {
     const glm::dvec2 c = bump.chart.from_surface(st);
     const glm::dvec2 by_chart = bump.strength / std::abs(bump.tiling.x) * bump.tiling * bump.height.gradient(bump.tiling * c);
     if (bump.chart.uv_set == 1) return {by_chart.y, by_chart.x};
-    return {bump.chart.mirrored ? -by_chart.x : by_chart.x, by_chart.y};
+    return {bump.chart.rate(st) * by_chart.x, by_chart.y};
 }
 
 glm::dvec2 texture_slope(const Surface& surface, const Bump& bump, glm::dvec2 c) {
     const glm::dvec2 st = bump.chart.to_surface(c);
-    glm::dvec2 size(glm::length(surface.along_s(st)), glm::length(surface.along_t(st)));
+    glm::dvec2 size(glm::length(surface.along_s(st)) / std::abs(bump.chart.rate(st)), glm::length(surface.along_t(st)));
     if (bump.chart.uv_set == 1) size = {size.y, size.x};
     return bump.height.gradient(c) / size;
 }
 
-glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps, glm::dvec3 point, Side side) {
+glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps, glm::dvec3 point, Side side,
+                         const glm::dmat3& world) {
     const glm::dvec2 st = surface.inverse(point);
     glm::dvec2 slope(0);
     for (const Bump& bump : bumps) slope += height_gradient(bump, st);
-    const glm::dvec3 n = surface.normal(st);
-    const glm::dmat3 rows = glm::transpose(glm::dmat3(surface.along_s(st), surface.along_t(st), n));
-    const glm::dvec3 g = glm::inverse(rows) * glm::dvec3(slope, 0);
+    const glm::dvec3 n = glm::normalize(glm::transpose(glm::inverse(world)) * surface.normal(st));
+    const glm::dvec3 s = world * surface.along_s(st), t = world * surface.along_t(st);
+    slope *= glm::dvec2(glm::length(s) / glm::length(surface.along_s(st)), glm::length(t) / glm::length(surface.along_t(st)));
+    const glm::dvec3 g = glm::inverse(glm::transpose(glm::dmat3(s, t, n))) * glm::dvec3(slope, 0);
     if (side == Side::mirror) return glm::normalize(-n - g);
     return side == Side::flip ? -glm::normalize(n - g) : glm::normalize(n - g);
 }

@@ -38,13 +38,16 @@ struct Height {
     [[nodiscard]] glm::dvec2 gradient(glm::dvec2 c) const;
 };
 
-// A uv set: uv0 is (s, t), mirrored (1 - s, t); uv1 is (t, s).
+// A uv set: uv0 is (s, t), mirrored (1 - s, t), folded (|2s - 1|, t), whose left half is mirrored and whose right half is
+// not; uv1 is (t, s) whatever uv0 is.
+enum class Unwrap { straight, mirrored, folded };
 struct Chart {
     int uv_set = 0;
-    bool mirrored = false;
+    Unwrap unwrap = Unwrap::straight;
 
     [[nodiscard]] glm::dvec2 from_surface(glm::dvec2 st) const;
-    [[nodiscard]] glm::dvec2 to_surface(glm::dvec2 c) const;
+    [[nodiscard]] glm::dvec2 to_surface(glm::dvec2 c) const;  // of a folded chart, in the right half
+    [[nodiscard]] double rate(glm::dvec2 st) const;           // of the coordinate that belongs to s, against s
 };
 
 // One bump: H(s, t) = strength / k * height(tiling * chart(s, t)), with k = |tiling.x| = |tiling.y|.
@@ -63,9 +66,12 @@ glm::dvec2 texture_slope(const Surface& surface, const Bump& bump, glm::dvec2 c)
 
 enum class Side { front, mirror, flip };  // front: seen from outside, or one-sided
 
-// The unit normal of the surface displaced by the sum of the bumps (first order in H, as Eq 5 and Eq 7 say), object
-// axes: g from g.dP/ds = dH/ds, g.dP/dt = dH/dt, g.n = 0. front: n - g; mirror: -n - g; flip: -(n - g).
-glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps, glm::dvec3 point, Side side);
+// The unit normal of the surface displaced by the sum of the bumps (first order in H, as Eq 5 and Eq 7 say): g from
+// g.dP/ds = dH/ds, g.dP/dt = dH/dt, g.n = 0. front: n - g; mirror: -n - g; flip: -(n - g).
+//   point: in object space. world: the linear part of the placement, which must leave dP/ds and dP/dt perpendicular; n stays
+//   on the outer side. TBN style keeps slopes, not heights: each derivative of H grows with the length of its dP.
+glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps, glm::dvec3 point, Side side,
+                         const glm::dmat3& world = glm::dmat3(1));
 
 // Degrees between two vectors; 180 where one is not finite or zero.
 double angle_degrees(glm::dvec3 a, glm::dvec3 b);

@@ -32,11 +32,11 @@ TEST(Exact, HeightsHaveTheirGradients) {
     const Height plain{{{0.03, 2, 1, 0.4}, {0.02, 1, -2, 1.1}}, -1};
     for (int taper : {-1, 0, 1}) {
         const Height height{plain.waves, taper};
-        for (int set : {0, 1}) {
+        for (Chart chart : {Chart{0}, Chart{1}, Chart{0, Unwrap::mirrored}, Chart{0, Unwrap::folded}}) {
             for (glm::dvec2 tiling : {glm::dvec2(1, 1), glm::dvec2(-3, 3)}) {
-                const Bump bump{height, {set, set == 0}, tiling, -0.7};
+                const Bump bump{height, chart, tiling, -0.7};
                 auto value = [&](glm::dvec2 st) {
-                    return bump.strength / 1 * bump.height.value(tiling * bump.chart.from_surface(st)) / std::abs(tiling.x);
+                    return bump.strength * bump.height.value(tiling * bump.chart.from_surface(st)) / std::abs(tiling.x);
                 };
                 for (glm::dvec2 st : kPlaces) {
                     const glm::dvec2 ds(kStep, 0), dt(0, kStep);

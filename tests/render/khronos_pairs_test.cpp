@@ -1,7 +1,9 @@
 // The Khronos sample NormalTangentTest: fifteen pairs of hemispheres, on the left as geometry, on the right as a normal map
 // on a flat square. Each row of five turns its uvs by another angle. The model has no tangents, so both ways are tried: from
-// uv derivatives, and made for the vertices. Lit or as normals, right and left halves of each pair look the same, apart
-// from the right one's lack of relief at the rim; with a sign wrong the right ones are lit from another side.
+// uv derivatives, and made for the vertices. Seen in both pictures: the left and the right of each pair have the same colours
+// as normals, and lit from the upper left the same highlight and the same shade, but for the thin rim where the geometry
+// meets its square. With green turned, the right ones of the first, third and fifth row become dents, lit from below or
+// from the right; the second and fourth row still look right, as their uvs run along the light: hence the numbers.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -56,6 +58,7 @@ protected:
     std::vector<Percentiles> compare(const std::string& basis, const std::string& green, double zero,
                                      const target::ShaderLibrary& library = target::embedded_library());
     std::string normal_map_;
+    bool library_is_altered_ = false;  // no pictures of that
     runtime::Scene scene_;
 };
 
@@ -75,11 +78,11 @@ std::vector<Percentiles> KhronosPairs::compare(const std::string& basis, const s
         {"textures", {{"map", {{"file", "map.png"}, {"encoding", "tangent_normal"}, {"green", green}, {"zero", zero}}}}},
         {"bump", {{{"layers", {{{"kind", "normal_map"}, {"texture", "map"}, {"basis", basis}}}}}}}};
     Made made = make({material.dump(), {{"map.png", normal_map_}}, {"normal", "debug", "forward"}}, library);
-    show(draw(made, scene_, "lit", kSide, kSide), "khronos_lit_" + basis + green);
+    if (!library_is_altered_) show(draw(made, scene_, "lit", kSide, kSide), "khronos_lit_" + basis + green);
     for (auto& chain : made.textures.chains) chain.resize(1);  // the normal at the point, not the mean over a pixel
     const runtime::Picture mapped = draw(made, scene_, "normal", kSide, kSide);
     const runtime::Picture geometry = draw(made, scene_, "base-normal", kSide, kSide);
-    show(mapped, "khronos_normal_" + basis + green);
+    if (!library_is_altered_) show(mapped, "khronos_normal_" + basis + green);
     std::vector<std::vector<double>> angles(kColumns * kRows);
     for (std::uint32_t y = 0; y < kSide; ++y) {
         for (std::uint32_t x = 0; x + kTwin < kSide; ++x) {
@@ -144,6 +147,7 @@ TEST_F(KhronosPairs, NoWrongMeaningOfTheMapPasses) {
 
 TEST_F(KhronosPairs, NoWrongSignInTheLibraryPasses) {
     const double bound = median_bound(scene_.content);
+    library_is_altered_ = true;
     auto mutant = [](const std::string& text, const std::string& wrong) {
         target::ShaderLibrary library = target::embedded_library();
         std::string& file = library.files["surfgrad/tbn.glsl"];

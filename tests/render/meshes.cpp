@@ -35,7 +35,16 @@ asset::Mesh make_cylinder() {
     return mesh;
 }
 
-asset::Mesh make(Shape shape, bool mirror_u) {
+// Both halves share the vertices in the middle, where s turns round.
+asset::Mesh folded(asset::Mesh mesh) {
+    for (glm::vec2& uv : mesh.uvs[0]) uv = glm::vec2(Chart{0, Unwrap::folded}.from_surface(uv));
+    mesh.tangents.clear();
+    return mesh;
+}
+
+asset::Mesh make(Shape shape, Unwrap unwrap) {
+    const bool mirror_u = unwrap == Unwrap::mirrored;
+    if (unwrap == Unwrap::folded) return folded(runtime::make_plane(kPlaneQuads, false));
     switch (shape) {
         case Shape::plane:
             return runtime::make_plane(kPlaneQuads, mirror_u);
@@ -66,10 +75,10 @@ Tessellation tessellation_of(Shape shape) {
     return {};
 }
 
-const asset::Mesh& mesh_of(Shape shape, bool mirror_u) {
-    static std::map<std::pair<Shape, bool>, asset::Mesh> meshes;
-    auto [at, fresh] = meshes.try_emplace({shape, mirror_u});
-    if (fresh) at->second = make(shape, mirror_u);
+const asset::Mesh& mesh_of(Shape shape, Unwrap unwrap) {
+    static std::map<std::pair<Shape, Unwrap>, asset::Mesh> meshes;
+    auto [at, fresh] = meshes.try_emplace({shape, unwrap});
+    if (fresh) at->second = make(shape, unwrap);
     return at->second;
 }
 

@@ -12,6 +12,7 @@ struct Tessellation {
 };
 Tessellation tessellation_of(Shape shape);
 
-const asset::Mesh& mesh_of(Shape shape, bool mirror_u);
+// A folded unwrap (plane alone) has no tangents.
+const asset::Mesh& mesh_of(Shape shape, Unwrap unwrap);
 
 }  // namespace sg::truth

@@ -58,6 +58,8 @@ const std::vector<Mutant> kMutants = {
      "cylinder_coarse_uv"},
     {"vertex_normal_points_inward", "stage/vertex.glsl", "normal_from_object) * normal", "normal_from_object) * -normal",
      "plane_vertex_xyz_up"},
+    {"normal_goes_through_the_matrix_of_positions", "stage/vertex.glsl", "mat3(sg_object_block.normal_from_object) * normal",
+     "mat3(sg_object_block.relative_from_object) * normal", "sphere_vertex_squashed"},
     {"mirrored_instance_keeps_w", "stage/vertex.glsl", "tangent.w * sg_object_block.normal_from_object[3][3]", "tangent.w",
      "torus_vertex_mirrored_instance"},
     {"tangent_stays_in_object_space", "stage/vertex.glsl", "sg_stage_unit(mat3(sg_object_block.relative_from_object) * tangent.xyz)",

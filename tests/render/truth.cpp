@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kTexels = 256;  // per side of a texture
 constexpr double kDegrees = 180 / 3.141592653589793;
+constexpr double kWide = 1.5, kHigh = 0.8;  // of the squashed placement
 constexpr double kUlp = 1.1920929e-7;  // of fp32, relative
 
 glm::dvec2 texel_center(std::uint32_t x, std::uint32_t y) { return {(x + 0.5) / kTexels, (y + 0.5) / kTexels}; }
@@ -97,7 +98,9 @@ Shot shot_of(const Case& c) {
 
 glm::mat4 placement_matrix(Placement placement) {
     if (placement == Placement::none) return glm::mat4(1);
-    const glm::dvec3 scale = placement == Placement::mirrored ? glm::dvec3(-1.5, 1.5, 1.5) : glm::dvec3(2);
+    glm::dvec3 scale(2);
+    if (placement == Placement::mirrored) scale = {-1.5, 1.5, 1.5};
+    if (placement == Placement::squashed) scale = {kWide, kHigh, kWide};
     const glm::dmat4 moved = glm::translate(glm::dmat4(1), {7, -3, 5});
     const glm::dmat4 turned = glm::rotate(moved, 1.1, glm::normalize(glm::dvec3(1, 2, 3)));
     return glm::mat4(glm::scale(turned, scale));
@@ -133,8 +136,12 @@ const runtime::Picture& positions_of(const Case& c, const runtime::Scene& scene)
 //   On the coarse cylinder it is the angle of a chord's point against its parameter, u (1 - u^2) (da/2)^3 / 3 at most
 //   0.385 (da/2)^3 / 3. The shift moves the texture by shift / pi of its side (pi radians or more span it).
 //   The torus' interpolated normal is that of a shifted point too, by da db / 4 R / (R - r).
+//   Squashed, vertex normals are made unit again before they are interpolated, which shifts their weights by up to the
+//   anisotropy squared over a quad: db^2 / 8 times that.
 //   mikkTSpace's bitangent is cross(N, T) / |N| of the raw interpolated vectors: |T| = |N| in a quad's middle, so it is short by
 //   1 - |N| = 1 - cos(da / 2). That is the agreed meaning of vertex tangents, not an error of the shader.
+//   Tangents made from the triangles are the mean of three to the left and three to the right of a vertex, whose turns of da / 2
+//   cancel but for the difference of their lengths, da db / 4 times cot(polar angle) again.
 // basis: tangents from uv derivatives are those of the facet: the direction of the facet's horizontal side, in the middle
 //   of da, or for the second uv set of its vertical side, at one end of da; parallel lines turn against each other by up to
 //   da times the sine of the elevation. Facets of the cylinder turn about the vertical alone, which leaves no rotation in
@@ -160,12 +167,15 @@ Bound bound_of(const Case& c) {
         if (!layer.float_texels) bound.quantisation += gain * std::sqrt(layer.two_channels ? 2 : 3) / 65535;
         bound.tessellation += size * square * kDegrees * shift / 3.141592653589793 * kTexels * facts.first;
         if (layer.from_vertex) {
+            if (c.tangents_made) bound.tessellation += size * facts.steepest * shift * kDegrees;
             bound.tessellation += size * facts.steepest * (1 - std::cos(mesh.da / 2)) * kDegrees;
             continue;
         }
         if (round) bound.basis += size * facts.steepest * mesh.da * (layer.uv == 1 ? 1 : 0.5) * kDegrees;
         bound.arithmetic += size * facts.steepest * 4 * kUlp * distance / std::min(pixel, mesh.edge) * kDegrees;
     }
+    if (c.placement == Placement::squashed)
+        bound.tessellation += mesh.db * mesh.db / 8 * kWide * kWide / (kHigh * kHigh) * kDegrees;
     if (c.shape == Shape::torus) bound.tessellation += mesh.da * mesh.db / 4 / 0.6 * kDegrees;
     bound.arithmetic += 16 * kUlp * kDegrees;
     return bound;
@@ -175,7 +185,8 @@ runtime::Scene scene_of(const Case& c) {
     runtime::Scene scene;
     const glm::mat4 world = placement_matrix(c.placement);
     const Shot shot = shot_of(c);
-    scene.content.meshes.push_back(mesh_of(c.shape, c.mirror_u));
+    scene.content.meshes.push_back(mesh_of(c.shape, c.unwrap));
+    if (c.tangents_made) scene.content.meshes[0].tangents.clear();
     scene.content.instances.push_back({"", 0, world});
     scene.camera.position = glm::dvec3(glm::dmat4(world) * glm::dvec4(shot.from, 1));
     scene.camera.target = glm::dvec3(glm::dmat4(world) * glm::dvec4(shot.to, 1));
@@ -226,7 +237,6 @@ Outcome run_case(const Case& c, const target::ShaderLibrary& library) {
     show(normals, c.name);
 
     const glm::dmat4 world(scene.content.instances[0].world_from_object), object = glm::inverse(world);
-    const glm::dmat3 turn = glm::dmat3(world) / scale_of(world);
     std::vector<Bump> bumps;
     for (const Layer& layer : c.layers) bumps.push_back(bump_of(c, layer));
     const Side side = c.eye == Eye::behind || c.eye == Eye::inside ? c.two_sided : Side::front;
@@ -236,7 +246,7 @@ Outcome run_case(const Case& c, const target::ShaderLibrary& library) {
             if (covered(normals, x, y) != covered(positions, x, y)) errors.push_back(180);
             if (!covered(normals, x, y)) continue;
             const glm::dvec3 point(object * glm::dvec4(rgb(positions, x, y) + scene.camera.position, 1));
-            errors.push_back(angle_degrees(rgb(normals, x, y), turn * bumped_normal({c.shape}, bumps, point, side)));
+            errors.push_back(angle_degrees(rgb(normals, x, y), bumped_normal({c.shape}, bumps, point, side, glm::dmat3(world))));
         }
     }
     return {percentiles(std::move(errors)), bound_of(c)};
