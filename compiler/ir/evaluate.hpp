@@ -1,0 +1,77 @@
+// The interpreter: runs any module in double precision on the mathematics of ir/reference/, which shares no code with
+// the GLSL library. It is the oracle for whole materials and for the optimiser. Cost: linear in the module.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ir/ir.hpp"
+#include "ir/reference/frame.hpp"
+#include "ir/reference/tbn.hpp"
+#include "ir/reference/texture.hpp"
+#include "ir/reference/uv.hpp"
+
+namespace sg::ir {
+
+// What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL column.
+using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis>;
+inline constexpr std::array<std::string_view, std::variant_size_v<Datum>> kDatumGlsl = {
+    "float", "vec2", "vec3", "vec4", "SgFrame", "SgUv", "SgBasis"};
+
+// The components of a datum in the order of its fields.
+std::vector<double> components(const Datum& datum);
+
+// What the vertex stage and the frame hand to one pixel. Conventions: compiler/artefacts.md.
+struct PixelInputs {
+    ref::dvec3 position{0.0};                // relative world space
+    ref::dvec3 vertex_normal{0.0, 0.0, 1.0};  // as interpolated
+    ref::dvec4 vertex_tangent{1.0, 0.0, 0.0, 1.0};
+    std::array<ref::Uv, 8> uvs{};
+    ref::dvec3 dpdx{1.0, 0.0, 0.0};  // of the position, per pixel
+    ref::dvec3 dpdy{0.0, -1.0, 0.0};
+    double facing = 1.0;  // +1 front, -1 back
+};
+
+// A texture's texels and how its sampler reads them. Isotropic; the level of detail is
+// 0.5 log2(max(|dim dx|^2, |dim dy|^2)) + lod_bias, below 0 under magnification.
+struct Sampled {
+    enum class Wrap { repeat, mirror, clamp };
+    enum class Mips { none, nearest, linear };
+    const ref::TextureSource* texels = nullptr;  // must outlive the evaluator
+    Wrap wrap_s = Wrap::repeat;
+    Wrap wrap_t = Wrap::repeat;
+    bool linear = true;  // within a level
+    Mips mips = Mips::linear;
+    double lod_bias = 0.0;
+
+    [[nodiscard]] ref::dvec4 at(const ref::Uv& uv) const;
+};
+
+// What the material hands to every pixel, by TextureId and ParameterId.
+struct Bindings {
+    std::vector<Sampled> textures;
+    std::vector<Datum> parameters;  // each as wide as its type
+};
+
+// A constant or a parameter's value: the first components of `number`, as many as the type has.
+Datum datum_of(Type type, const std::array<double, 4>& number);
+
+class Evaluator {
+public:
+    // `module` must verify and outlive the evaluator; the bindings must be complete.
+    Evaluator(const Module& module, Bindings bindings);
+    // Evaluates all values for one pixel: entry i is value %i. Valid until the next run.
+    const std::vector<Datum>& run(const PixelInputs& pixel);
+    // Of the last run. The module must have the output.
+    [[nodiscard]] const Datum& output(Output output, std::uint32_t set = 0) const;
+    Bindings& bindings() { return bindings_; }
+
+private:
+    const Module& module_;
+    Bindings bindings_;
+    std::vector<Datum> values_;
+};
+
+}  // namespace sg::ir
