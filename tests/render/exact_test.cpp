@@ -67,5 +67,19 @@ TEST(Exact, BumpedNormalsAreThoseOfTheDisplacedSurface) {
     }
 }
 
+// A placement that turns, mirrors and scales evenly moves the whole picture of the surface with it.
+TEST(Exact, BumpedNormalsGoAlongWithAnEvenPlacement) {
+    const glm::dmat3 turn(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0));  // and a reflection
+    for (Shape shape : {Shape::plane, Shape::sphere, Shape::torus}) {
+        const Surface surface{shape};
+        const Bump bump{{{{0.03, 2, 1, 0.4}, {0.02, 1, -2, 1.1}}, -1}, {}, {1, 1}, 1};
+        for (glm::dvec2 st : kPlaces) {
+            const glm::dvec3 point = surface.position(st);
+            const glm::dvec3 expected = turn * bumped_normal(surface, {bump}, point, Side::mirror);
+            EXPECT_LT(glm::distance(bumped_normal(surface, {bump}, point, Side::mirror, 3.0 * turn), expected), 1e-12);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace sg::truth
