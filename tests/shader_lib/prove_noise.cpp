@@ -297,6 +297,25 @@ TEST(NoiseReference, GradientsAreDifferencesOfHeights) {
     }
 }
 
+// A point or footprint that is no number: noise is NaN at worst, which the resolve rejects, and a NaN
+// footprint shows nothing.
+TEST(Noise, AnyPointIsHarmless) {
+    Case item = turbulence();
+    item.glsl = "SgNoise n = sg_noise_turbulence(v3(0), f(3), 4); put(0, n.value); put(1, n.gradient);";
+    for (float footprint : {1.0f, 3.0f, INFINITY, NAN}) {
+        for (float value : evaluate(item, std::vector<float>{0.3f, 0.4f, 0.5f, footprint, 4.0f}))
+            EXPECT_EQ(value, 0.0f);
+    }
+    Case resolved = item;
+    resolved.include += " surfgrad/resolve.glsl";
+    resolved.outputs = 3;
+    resolved.glsl = "put(0, sg_resolve(vec3(0.0, 0.0, 1.0), sg_noise_fractal_sum(v3(0), f(3), 4).gradient));";
+    for (float far : {1e8f, 1e30f, -3e38f, INFINITY, NAN}) {
+        const std::vector<float> n = evaluate(resolved, std::vector<float>{0.3f, far, 0.5f, 0.01f, 4.0f});
+        EXPECT_TRUE(is_unit({n[0], n[1], n[2]})) << far;
+    }
+}
+
 // Defect 10: four evaluations and a fine step give rounding, not a gradient.
 TEST(NoisePublished, TurbulenceByDifferences) {
     expect_only_library_holds(turbulence(), R"(

@@ -41,7 +41,7 @@ March parallax_march(const TextureSource& map, const Sampler& sampler, dvec2 hei
                      double level, int steps) {
     const dvec2 run = dvec2(view) / std::max(view.z, 1.0 / 32.0);
     const double top = heights.y + std::max(heights.x, 0.0), bottom = heights.y + std::min(heights.x, 0.0);
-    March march{{}, INFINITY};
+    March march{{}, INFINITY, 1.0};
     double previous = 0.0;
     for (int i = 0; i <= steps; ++i) {
         const double ray = top + (bottom - top) * i / steps;
@@ -53,6 +53,7 @@ March parallax_march(const TextureSource& map, const Sampler& sampler, dvec2 hei
             const double before = top + (bottom - top) * (i - 1) / steps;
             const double crossing = i > 0 ? ray + (before - ray) * gap / (gap - previous) : ray;
             march.hit = {crossing * run, crossing};
+            if (i > 0) march.amplification += (before - ray) / (previous - gap);
             break;
         }
         previous = gap;

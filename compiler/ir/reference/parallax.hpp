@@ -20,11 +20,12 @@ dvec2 parallax_steps(const TextureSource& map, const Sampler& sampler, dvec2 dec
                      dvec2 stride, int steps);
 double parallax_height(const TextureSource& map, const Sampler& sampler, dvec2 heights, dvec2 st,
                        double level);
-// What the march saw: the hit, and the smallest distance between ray and surface at a step, on which the step
-// that ends the march depends.
+// What the march saw, and how firm it is: the hit; the smallest distance between ray and surface at a step,
+// on whose sign hangs which step ends the march; how much an error of a distance moves the height of the hit.
 struct March {
     Parallax hit;
     double closest = 0.0;
+    double amplification = 1.0;
 };
 March parallax_march(const TextureSource& map, const Sampler& sampler, dvec2 heights, dvec2 st, dvec3 view,
                      double level, int steps);
