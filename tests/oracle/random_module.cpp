@@ -1,0 +1,132 @@
+#include "tests/oracle/random_module.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace sg::oracle {
+namespace {
+
+using ir::Op;
+using ir::Type;
+using ir::ValueId;
+
+constexpr std::size_t kValues = 120;
+constexpr std::uint32_t kTextures = 2, kSets = 3;
+
+class Generator {
+public:
+    explicit Generator(std::mt19937_64& random) : random_(random) {}
+
+    RandomModule make() {
+        out_.module.name = "random";
+        out_.module.textures = {{"xyz", ir::TextureEncoding::tangent_normal}, {"xy", ir::TextureEncoding::tangent_normal_xy}};
+        for (Type type : {Type::Scalar, Type::Vec2, Type::Vec3, Type::Vec4, Type::Color}) {
+            out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
+            out_.parameters.push_back(ir::datum_of(type, numbers()));
+        }
+        while (out_.module.values.size() < kValues) add(ir::all_ops()[below(ir::all_ops().size())]);
+        for (ir::Output output : ir::all_outputs()) {
+            const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
+            if (values.empty()) continue;
+            const ValueId last = values.back();
+            const ir::Value& value = out_.module.at(last);
+            const bool set = output == ir::Output::uv && value.op == Op::uv_set;
+            out_.module.outputs.push_back({output, set ? value.index : 0, last});
+        }
+        return std::move(out_);
+    }
+
+private:
+    std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+    // Numbers that rules look for, and others; small, so that chains of factors stay within reason.
+    double number() {
+        constexpr double kNumbers[] = {0, 0, 1, 1, 1, -1, 2, 0.5, -0.75, 3, 1.25};
+        return kNumbers[below(std::size(kNumbers))];
+    }
+    std::array<double, 4> numbers() { return {number(), number(), number(), number()}; }
+
+    // Mostly a recent value, so that graphs become deep.
+    ValueId pick(const std::vector<ValueId>& values) {
+        const std::size_t reach = below(2) == 0 ? std::min<std::size_t>(values.size(), 3) : values.size();
+        return values[values.size() - 1 - below(reach)];
+    }
+
+    void add(const ir::OpInfo& op) {
+        // Most operations take something: else the few types that sources give crowd out deep graphs.
+        const bool source = op.operands.empty() && op.attribute != ir::Attribute::Number;
+        if (source && !by_type_[op.result].empty() && below(6) != 0) return;
+        ir::Value value{.op = op.op, .type = op.result};
+        for (Type type : op.operands) {
+            if (by_type_[type].empty()) return;
+            value.operands.push_back(pick(by_type_[type]));
+        }
+        constexpr double kZeros[] = {127, 127.5, 128};
+        constexpr Type kConstants[] = {Type::Scalar, Type::Scalar, Type::Vec2, Type::Vec2, Type::Vec3, Type::Vec4};
+        switch (op.attribute) {
+            case ir::Attribute::Set:
+                value.index = static_cast<std::uint32_t>(below(kSets));
+                break;
+            case ir::Attribute::Texture:
+                value.index = static_cast<std::uint32_t>(below(kTextures));
+                break;
+            case ir::Attribute::Parameter:
+                value.index = static_cast<std::uint32_t>(below(out_.module.parameters.size()));
+                value.type = out_.module.parameters[value.index].type;
+                break;
+            case ir::Attribute::Zero:
+                value.number[0] = kZeros[below(3)];
+                break;
+            case ir::Attribute::Number:
+                value.type = kConstants[below(std::size(kConstants))];
+                for (std::size_t i = 0; i < ir::component_count(value.type); ++i) value.number[i] = number();
+                break;
+            case ir::Attribute::None:
+                break;
+        }
+        by_type_[value.type].push_back({static_cast<std::uint32_t>(out_.module.values.size())});
+        out_.module.values.push_back(std::move(value));
+    }
+
+    std::mt19937_64& random_;
+    RandomModule out_;
+    std::map<Type, std::vector<ValueId>> by_type_;
+};
+
+}  // namespace
+
+std::uint64_t run_seed() {
+    static const std::uint64_t kSeed = [] {
+        const char* given = std::getenv("SG_SEED");
+        std::random_device device;
+        const std::uint64_t fresh = std::uint64_t{device()} << 32U | device();
+        const std::uint64_t seed = given ? std::strtoull(given, nullptr, 10) : fresh;
+        fmt::print("SG_SEED={}\n", seed);
+        return seed;
+    }();
+    return kSeed;
+}
+
+RandomModule random_module(std::mt19937_64& random) {
+    return Generator(random).make();
+}
+
+ir::PixelInputs random_pixel(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    auto vec2 = [&](double size) { return size * ref::dvec2(unit(random), unit(random)); };
+    auto vec3 = [&](double size) { return size * ref::dvec3(unit(random), unit(random), unit(random)); };
+    ir::PixelInputs pixel;
+    pixel.position = vec3(5.0);
+    pixel.vertex_normal = vec3(1.0);
+    pixel.vertex_tangent = ref::dvec4(vec3(1.0), unit(random) < 0.0 ? -1.0 : 1.0);
+    for (ref::Uv& uv : pixel.uvs) uv = {vec2(3.0), vec2(0.05), vec2(0.05)};
+    pixel.dpdx = vec3(0.02);
+    pixel.dpdy = vec3(0.02);
+    pixel.facing = unit(random) < 0.0 ? -1.0 : 1.0;
+    return pixel;
+}
+
+}  // namespace sg::oracle
