@@ -29,8 +29,57 @@ std::string_view word(emit::BindingKind kind) {
     return kWords[static_cast<std::size_t>(kind)];
 }
 
-Json stage_json(const std::string& file, std::string_view stage, const target::Words& words, const std::string& bytes) {
-    return {{"stage", stage}, {"file", file}, {"hash", content_hash(bytes)}, {"instructions", target::instruction_count(words)}};
+using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+// Where a text has a binding of the SPIR-V, in the words of its language.
+Json slot_json(const target::Slot& slot, const target::Target& target) {
+    Json out = {{"set", slot.set}, {"binding", slot.binding}, {"kind", word(slot.kind)}, {"name", slot.name}};
+    switch (target.language) {
+        case target::Language::hlsl:
+            out["register"] = fmt::format("{}{}", "bts"[static_cast<std::size_t>(slot.kind)], slot.index);
+            out["space"] = slot.space;
+            break;
+        case target::Language::msl:
+            out["index"] = slot.index;
+            break;
+        default:
+            out[slot.kind == emit::BindingKind::texture ? "unit" : "index"] = slot.index;
+            if (slot.kind == emit::BindingKind::texture) out["sampler_binding"] = slot.sampler_binding;
+    }
+    return out;
+}
+
+Json text_json(const std::string& file, const CrossFile& text) {
+    const target::CrossText& cross = text.cross;
+    Json out = {{"target", text.target->name}, {"file", file}, {"hash", content_hash(cross.text)}, {"function", cross.function}};
+    out["bindings"] = Json::array();
+    for (const target::Slot& slot : cross.slots) out["bindings"].push_back(slot_json(slot, *text.target));
+    if (text.stage != target::Stage::vertex) return out;
+    const char* key = text.target->language == target::Language::hlsl ? "semantic" : "variable";
+    out["vertex_inputs"] = Json::array();
+    for (const target::Attribute& a : cross.attributes) out["vertex_inputs"].push_back({{"location", a.location}, {key, a.name}});
+    return out;
+}
+
+Json stage_json(const ArtefactInput& input, const CompiledEntry& entry, target::Stage stage, NamedFiles& files) {
+    bool vertex = stage == target::Stage::vertex;
+    const target::Words& words = vertex ? entry.vertex : entry.fragment;
+    std::string stem = fmt::format("{}.{}.{}", input.stem, entry.entry->name, vertex ? "vert" : "frag");
+    Json out = {{"stage", vertex ? "vert" : "frag"}};
+    if (input.ships_spirv) {
+        std::string bytes = target::bytes(words);
+        out["file"] = stem + ".spv";
+        out["hash"] = content_hash(bytes);
+        files.emplace_back(stem + ".spv", std::move(bytes));
+    }
+    out["instructions"] = target::instruction_count(words);
+    for (const CrossFile& text : entry.texts) {
+        if (text.stage != stage) continue;
+        std::string file = fmt::format("{}.{}.{}", stem, text.target->name, text.target->extension);
+        out["targets"].push_back(text_json(file, text));
+        files.emplace_back(std::move(file), text.cross.text);
+    }
+    return out;
 }
 
 Json bindings_json(const emit::EntryInterface& interface) {
@@ -56,15 +105,9 @@ Json vertex_inputs_json(const emit::EntryInterface& interface) {
     return out;
 }
 
-Json entry_json(const ArtefactInput& input, const CompiledEntry& entry,
-                std::vector<std::pair<std::string, std::string>>& files) {
+Json entry_json(const ArtefactInput& input, const CompiledEntry& entry, NamedFiles& files) {
     Json stages = Json::array();
-    for (auto [stage, words] : {std::pair{"vert", &entry.vertex}, std::pair{"frag", &entry.fragment}}) {
-        std::string file = fmt::format("{}.{}.{}.spv", input.stem, entry.entry->name, stage);
-        std::string bytes = target::bytes(*words);
-        stages.push_back(stage_json(file, stage, *words, bytes));
-        files.emplace_back(std::move(file), std::move(bytes));
-    }
+    for (auto stage : {target::Stage::vertex, target::Stage::fragment}) stages.push_back(stage_json(input, entry, stage, files));
     Json views = Json::array();
     for (const emit::View& v : entry.shaders.interface.views) {
         views.push_back({{"name", v.name}, {"number", v.number}, {"components", v.components}, {"kind", v.kind}});
@@ -134,7 +177,7 @@ Json samplers_json(const ArtefactInput& input) {
 std::string_view generator_name() { return "surfgrad " SURFGRAD_VERSION; }
 
 std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactInput& input) {
-    std::vector<std::pair<std::string, std::string>> files;
+    NamedFiles files;
     Json entries = Json::array();
     for (const CompiledEntry& entry : *input.entries) entries.push_back(entry_json(input, entry, files));
     Json manifest = {{"format", kFormat},

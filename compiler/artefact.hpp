@@ -8,15 +8,24 @@
 
 #include "emit/glsl.hpp"
 #include "material/checked.hpp"
+#include "target/cross.hpp"
 #include "target/spirv.hpp"
 
 namespace sg {
+
+// A shader in one of the other languages.
+struct CrossFile {
+    target::Stage stage{};
+    const target::Target* target = nullptr;
+    target::CrossText cross;
+};
 
 struct CompiledEntry {
     const emit::EntryPoint* entry = nullptr;
     emit::Shaders shaders;
     target::Words vertex;
     target::Words fragment;
+    std::vector<CrossFile> texts;  // vertex first, in the order of the targets
 };
 
 struct ArtefactInput {
@@ -27,6 +36,7 @@ struct ArtefactInput {
     const emit::MaterialInterface* interface = nullptr;
     const std::vector<material::SamplerDecl>* samplers = nullptr;  // by group
     const std::vector<CompiledEntry>* entries = nullptr;
+    bool ships_spirv = true;
 };
 
 // File name and bytes of everything, the manifest last. Same input, same bytes.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "artefact.hpp"
+#include "cross_entry.hpp"
 #include "base/ice.hpp"
 #include "emit/glsl.hpp"
 #include "json/json.hpp"
@@ -46,18 +47,25 @@ target::Words to_spirv(const std::string& text, const std::string& name, target:
     return std::move(*words);
 }
 
-CompiledEntry compile_entry(const CompileRequest& request, const emit::EntryPoint& entry, const ir::Module& module,
-                            const emit::MaterialInterface& interface, const target::ShaderLibrary& library) {
+std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const emit::EntryPoint& entry,
+                                           const ir::Module& module, const emit::MaterialInterface& interface,
+                                           const target::ShaderLibrary& library, Diags& diags) {
     emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
     std::string name = fmt::format("{}.{}", request.stem, entry.name);
     target::Words vertex = to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
     target::Words fragment = to_spirv(shaders.fragment, name + ".frag", target::Stage::fragment, library, request.spirv);
-    return {&entry, std::move(shaders), std::move(vertex), std::move(fragment)};
+    auto texts = cross_entry(shaders, name, request.targets, interface, library, diags);
+    if (!texts) return std::nullopt;
+    return CompiledEntry{&entry, std::move(shaders), std::move(vertex), std::move(fragment), std::move(*texts)};
 }
 
 bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
     const auto& names = request.entries;
     return names.empty() || std::find(names.begin(), names.end(), entry.name) != names.end();
+}
+
+bool ships(const CompileRequest& request, target::Language language) {
+    return std::any_of(request.targets.begin(), request.targets.end(), [&](const target::Target* t) { return t->language == language; });
 }
 
 }  // namespace
@@ -71,6 +79,7 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     std::optional<material::CheckedMaterial> checked = read_and_check(request, files, diags);
     if (!checked) return std::nullopt;
 
+    std::size_t before = diags.error_count();
     ir::Module lowered = material::lower(*checked);
     ir::Module optimised = request.optimise_ir ? opt::optimise(lowered, request.skipped_rule) : lowered;
     SamplerGroups samplers = group_samplers(*checked);
@@ -80,17 +89,19 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     std::vector<CompiledEntry> entries;
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
         if (!wanted(request, entry)) continue;
-        CompiledEntry compiled = compile_entry(request, entry, optimised, interface, library);
+        std::optional<CompiledEntry> compiled = compile_entry(request, entry, optimised, interface, library, diags);
+        if (!compiled) continue;
         std::string name(entry.name);
-        out.glsl.push_back({name + ".vert", compiled.shaders.vertex});
-        out.glsl.push_back({name + ".frag", compiled.shaders.fragment});
-        out.spirv_assembly.push_back({name + ".vert", target::disassemble(compiled.vertex)});
-        out.spirv_assembly.push_back({name + ".frag", target::disassemble(compiled.fragment)});
-        entries.push_back(std::move(compiled));
+        out.glsl.push_back({name + ".vert", compiled->shaders.vertex});
+        out.glsl.push_back({name + ".frag", compiled->shaders.fragment});
+        out.spirv_assembly.push_back({name + ".vert", target::disassemble(compiled->vertex)});
+        out.spirv_assembly.push_back({name + ".frag", target::disassemble(compiled->fragment)});
+        entries.push_back(std::move(*compiled));
     }
+    if (diags.error_count() != before) return std::nullopt;
     std::string file = std::filesystem::path(request.source->name).filename().string();
     out.files = artefact_files({request.stem, file, content_hash(request.source->text), &*checked, &interface,
-                                &samplers.settings, &entries});
+                                &samplers.settings, &entries, ships(request, target::Language::spirv)});
     return out;
 }
 

@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "target/shader_library.hpp"
 #include "target/spirv.hpp"
+#include "target/targets.hpp"
 
 namespace sg {
 
@@ -18,6 +19,7 @@ struct CompileRequest {
     std::string stem;                            // of every file's name, and the material's name if it has none
     std::vector<std::filesystem::path> roots;    // where textures may be: the material's folder, then -I roots
     std::vector<std::string> entries;            // names of entry points; empty: all
+    std::vector<const target::Target*> targets{target::find_target("spirv")};
     target::SpirvOptions spirv;
     bool optimise_ir = true;
     std::string skipped_rule;                    // of the optimiser; for measurements

@@ -25,6 +25,7 @@ struct Options {
     std::string out_dir;
     std::vector<std::string> roots;
     std::vector<std::string> entries;
+    std::vector<std::string> targets{"spirv"};
     std::vector<std::string> emit;
     std::string name;
     std::string diagnostics = "human";
@@ -60,6 +61,7 @@ sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, c
     request.roots.push_back(file == "-" ? fs::path(".") : path.parent_path());
     for (const std::string& root : options.roots) request.roots.emplace_back(root);
     request.entries = options.entries;
+    request.targets = sg::target::select_targets(options.targets);
     using enum sg::target::Optimise;
     request.spirv.optimise = options.o0 ? none : options.os ? size : speed;
     request.spirv.debug_info = options.debug;
@@ -163,6 +165,10 @@ void add_compile_options(CLI::App& command, Options& options) {
     command.add_option("--entry", options.entries, "entry points to compile, all by default")
         ->delimiter(',')
         ->check(CLI::IsMember(entries));
+    command.add_option("--target", options.targets, "languages to write: a target or a group of them")
+        ->delimiter(',')
+        ->check(CLI::IsMember(sg::target::target_words()))
+        ->capture_default_str();
     command.add_option("--emit", options.emit, "further texts to write: ir, opt-ir, glsl, spvasm")
         ->delimiter(',')
         ->check(CLI::IsMember({"ir", "opt-ir", "glsl", "spvasm"}));

@@ -1,0 +1,266 @@
+#include "target/cross.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#include <spirv_cross/spirv_hlsl.hpp>
+#include <spirv_cross/spirv_msl.hpp>
+#pragma GCC diagnostic pop
+
+#include "base/ice.hpp"
+
+namespace sg::target {
+namespace {
+
+using emit::BindingKind;
+using spirv_cross::Compiler;
+
+spv::ExecutionModel model(Stage stage) {
+    SG_ASSERT(stage != Stage::compute);
+    return stage == Stage::vertex ? spv::ExecutionModelVertex : spv::ExecutionModelFragment;
+}
+
+// Blocks are numbered by their set, textures and samplers by their place among the material's.
+std::uint32_t material_number(const Slot& slot, const emit::MaterialInterface& material) {
+    auto place = [&](const auto& slots) {
+        auto it = std::find_if(slots.begin(), slots.end(), [&](const auto& s) { return s.binding == slot.binding; });
+        SG_ASSERT(slot.set == 1 && it != slots.end());
+        return static_cast<std::uint32_t>(it - slots.begin());
+    };
+    if (slot.kind == BindingKind::texture) return place(material.textures);
+    if (slot.kind == BindingKind::sampler) return place(material.samplers);
+    SG_ASSERT(slot.binding == 0);  // one block per set
+    return slot.set;
+}
+
+void sort_slots(std::vector<Slot>& slots) {
+    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) {
+        return std::pair(a.set, a.binding) < std::pair(b.set, b.binding);
+    });
+}
+
+// What the shader uses, and a declaration of nothing else. Inputs and outputs stay whole, so that the stages match.
+std::vector<Slot> used_slots(Compiler& compiler, const emit::MaterialInterface& material) {
+    auto active = compiler.get_active_interface_variables();
+    spirv_cross::ShaderResources all = compiler.get_shader_resources();
+    for (const auto& list : {all.stage_inputs, all.stage_outputs}) {
+        for (const auto& variable : list) active.insert(variable.id);
+    }
+    for (const auto& list : {all.builtin_inputs, all.builtin_outputs}) {
+        for (const auto& builtin : list) active.insert(builtin.resource.id);
+    }
+    spirv_cross::ShaderResources used = compiler.get_shader_resources(active);
+    std::vector<Slot> out;
+    auto add = [&](const auto& resources, BindingKind kind) {
+        for (const spirv_cross::Resource& r : resources) {
+            Slot slot{.kind = kind, .name = r.name};
+            slot.set = compiler.get_decoration(r.id, spv::DecorationDescriptorSet);
+            slot.binding = compiler.get_decoration(r.id, spv::DecorationBinding);
+            slot.index = material_number(slot, material);
+            out.push_back(std::move(slot));
+        }
+    };
+    add(used.uniform_buffers, BindingKind::uniform_buffer);
+    add(used.separate_images, BindingKind::texture);
+    add(used.separate_samplers, BindingKind::sampler);
+    compiler.set_enabled_interface_variables(std::move(active));
+    sort_slots(out);
+    return out;
+}
+
+std::vector<Attribute> attributes_of(const Compiler& compiler, Stage stage, Language language) {
+    std::vector<Attribute> out;
+    if (stage != Stage::vertex) return out;
+    for (const spirv_cross::Resource& r : compiler.get_shader_resources().stage_inputs) {
+        std::uint32_t location = compiler.get_decoration(r.id, spv::DecorationLocation);
+        out.push_back({location, language == Language::hlsl ? fmt::format("TEXCOORD{}", location) : r.name});
+    }
+    std::sort(out.begin(), out.end(), [](const Attribute& a, const Attribute& b) { return a.location < b.location; });
+    return out;
+}
+
+// The engine fills the same blocks for every target; each vertex shader turns Vulkan's clip space into its own.
+void convert_clip_space(spirv_cross::CompilerGLSL& compiler, Language language) {
+    auto options = compiler.get_common_options();
+    options.vertex.flip_vert_y = true;
+    options.vertex.fixup_clipspace = language == Language::glsl || language == Language::essl;
+    compiler.set_common_options(options);
+}
+
+// ---- HLSL ----
+
+// Shader model 5.0 has no spaces: the numbers of the material. From 5.1 on, register and space are binding and set.
+CrossText to_hlsl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+    spirv_cross::CompilerHLSL compiler(words);
+    CrossText out{.function = "main", .slots = used_slots(compiler, material)};
+    for (Slot& slot : out.slots) {
+        if (target.version > 50) {
+            slot.index = slot.binding;
+            slot.space = slot.set;
+        }
+        spirv_cross::HLSLResourceBinding row;
+        row.stage = model(stage);
+        row.desc_set = slot.set;
+        row.binding = slot.binding;
+        for (auto* place : {&row.cbv, &row.srv, &row.sampler}) *place = {slot.space, slot.index};
+        compiler.add_hlsl_resource_binding(row);
+    }
+    auto options = compiler.get_hlsl_options();
+    options.shader_model = target.version;
+    compiler.set_hlsl_options(options);
+    convert_clip_space(compiler, target.language);
+    out.attributes = attributes_of(compiler, stage, target.language);
+    out.text = compiler.compile();
+    return out;
+}
+
+// ---- Metal ----
+
+CrossText to_msl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+    spirv_cross::CompilerMSL compiler(words);
+    CrossText out{.slots = used_slots(compiler, material)};
+    for (const Slot& slot : out.slots) {
+        spirv_cross::MSLResourceBinding row;
+        row.stage = model(stage);
+        row.desc_set = slot.set;
+        row.binding = slot.binding;
+        row.count = 1;
+        row.msl_buffer = row.msl_texture = row.msl_sampler = slot.index;
+        compiler.add_msl_resource_binding(row);
+    }
+    auto options = compiler.get_msl_options();
+    options.msl_version = target.version;
+    compiler.set_msl_options(options);
+    convert_clip_space(compiler, target.language);
+    out.attributes = attributes_of(compiler, stage, target.language);
+    out.text = compiler.compile();
+    out.function = compiler.get_cleansed_entry_point_name("main", model(stage));
+    return out;
+}
+
+// ---- GLSL and ESSL ----
+
+class GlslWriter final : public spirv_cross::CompilerGLSL {
+public:
+    using CompilerGLSL::CompilerGLSL;
+
+    // Functions that take a texture and a sampler take both as one, under the name of the texture.
+    void name_joined_parameters() {
+        ir.for_each_typed_id<spirv_cross::SPIRFunction>([&](std::uint32_t, spirv_cross::SPIRFunction& function) {
+            for (const auto& joined : function.combined_parameters) {
+                std::uint32_t image = joined.image_id;
+                set_name(joined.id, get_name(joined.global_image ? image : std::uint32_t{function.arguments[image].id}));
+            }
+        });
+    }
+};
+
+// GL matches the stages' variables by name.
+void name_varyings(GlslWriter& compiler, Stage stage) {
+    auto resources = compiler.get_shader_resources();
+    std::string_view prefix = stage == Stage::vertex ? "sg_out_" : "sg_in_";
+    for (const auto& r : stage == Stage::vertex ? resources.stage_outputs : resources.stage_inputs) {
+        SG_ASSERT(std::string_view(r.name).starts_with(prefix));
+        compiler.set_name(r.id, "sg_varying_" + r.name.substr(prefix.size()));
+    }
+}
+
+// Textures and samplers become one, named as the texture.
+void join_samplers(GlslWriter& compiler, std::vector<Slot>& slots) {
+    compiler.build_combined_image_samplers();
+    compiler.name_joined_parameters();
+    std::vector<Slot> joined;
+    for (const auto& pair : compiler.get_combined_image_samplers()) {
+        auto is_texture = [&](const Slot& s) {
+            return s.set == compiler.get_decoration(pair.image_id, spv::DecorationDescriptorSet) &&
+                   s.binding == compiler.get_decoration(pair.image_id, spv::DecorationBinding);
+        };
+        auto texture = std::find_if(slots.begin(), slots.end(), is_texture);
+        SG_ASSERT(texture != slots.end());
+        // A unit per texture: units must not depend on which entry point reads it, so no texture has two samplers.
+        SG_ASSERT(std::none_of(joined.begin(), joined.end(), is_texture));
+        joined.push_back(*texture);
+        joined.back().sampler_binding = compiler.get_decoration(pair.sampler_id, spv::DecorationBinding);
+        compiler.set_name(pair.combined_id, texture->name);
+        compiler.set_decoration(pair.combined_id, spv::DecorationBinding, texture->index);
+    }
+    std::erase_if(slots, [](const Slot& s) { return s.kind != BindingKind::uniform_buffer; });
+    slots.insert(slots.end(), joined.begin(), joined.end());
+    sort_slots(slots);
+}
+
+CrossText to_glsl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+    GlslWriter compiler(words);
+    CrossText out{.function = "main", .slots = used_slots(compiler, material)};
+    for (const auto& block : compiler.get_shader_resources().uniform_buffers) {
+        compiler.set_decoration(block.id, spv::DecorationBinding, compiler.get_decoration(block.id, spv::DecorationDescriptorSet));
+    }
+    join_samplers(compiler, out.slots);
+    name_varyings(compiler, stage);
+    auto options = compiler.get_common_options();
+    options.version = target.version;
+    options.es = target.language == Language::essl;
+    options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
+    compiler.set_common_options(options);
+    convert_clip_space(compiler, target.language);
+    out.attributes = attributes_of(compiler, stage, target.language);
+    out.text = compiler.compile();
+    return out;
+}
+
+// ---- what a target cannot express ----
+
+// The number of an OpConstant; 0 for anything else.
+std::uint32_t constant(std::span<const std::uint32_t> words, std::uint32_t id) {
+    for (std::size_t i = 5; i + 3 < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
+        if ((words[i] & 0xFFFFu) == spv::OpConstant && words[i + 2] == id) return words[i + 3];
+    }
+    return 0;
+}
+
+// ESSL 3.00 has no gather; the prelude stands for that of red without offsets.
+bool is_other_gather(std::span<const std::uint32_t> words, std::size_t at) {
+    std::uint32_t op = words[at] & 0xFFFFu, length = words[at] >> 16u;
+    if (op == spv::OpImageDrefGather) return true;
+    return op == spv::OpImageGather && (length > 6 || constant(words, words[at + 5]) != 0);
+}
+
+}  // namespace
+
+std::string missing_feature(std::span<const std::uint32_t> words, const Target& target) {
+    if (target.language != Language::essl) return "";
+    for (std::size_t i = 5; i < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
+        std::uint32_t op = words[i] & 0xFFFFu;
+        if (op == spv::OpImageQueryLod) return "asks for the level of detail of a texture (textureQueryLod)";
+        if (op == spv::OpImageQueryLevels) return "asks for the number of levels of a texture (textureQueryLevels)";
+        if (target.version < 310 && is_other_gather(words, i)) {
+            return "gathers texels of another channel than red, with offsets or with a comparison (textureGather)";
+        }
+    }
+    return "";
+}
+
+CrossText cross_compile(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+    try {
+        switch (target.language) {
+            case Language::hlsl:
+                return to_hlsl(words, stage, target, material);
+            case Language::msl:
+                return to_msl(words, stage, target, material);
+            case Language::glsl:
+            case Language::essl:
+                return to_glsl(words, stage, target, material);
+            case Language::spirv:
+                break;
+        }
+    } catch (const spirv_cross::CompilerError& error) {
+        SG_UNREACHABLE(fmt::format("{} cannot be written: {}", target.name, error.what()));
+    }
+    SG_UNREACHABLE("a target that is no text");
+}
+
+}  // namespace sg::target

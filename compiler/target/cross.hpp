@@ -1,0 +1,45 @@
+// SPIR-V to the text of another language: SPIRV-Cross in process. The only file that sees it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emit/interface.hpp"
+#include "target/spirv.hpp"
+#include "target/targets.hpp"
+
+namespace sg::target {
+
+// Where the text has what the SPIR-V has at (set, binding).
+struct Slot {
+    emit::BindingKind kind{};
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
+    std::string name;             // in the text: of the block, or of the variable
+    std::uint32_t index = 0;      // HLSL: register; Metal: index; GL: binding point of a block, unit of a texture
+    std::uint32_t space = 0;      // HLSL
+    std::uint32_t sampler_binding = 0;  // GL: the binding of the sampler that the texture is read with
+};
+
+struct Attribute {
+    std::uint32_t location = 0;
+    std::string name;  // HLSL: the semantic; GL: the variable
+};
+
+struct CrossText {
+    std::string text;
+    std::string function;               // that the text's entry point is called
+    std::vector<Slot> slots;            // what the text uses, by set and binding; GL has no samplers alone
+    std::vector<Attribute> attributes;  // of a vertex shader, by location
+};
+
+// `words` have names and are not optimised, so that the text reads as the library does. The numbers of the slots are
+// those of the material, alike for all stages and entry points. Every target but spirv.
+CrossText cross_compile(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material);
+
+// "" or what the shader does that the target cannot express, as in "reads the level of detail of a texture".
+// `words` are those of the source without the target's prelude.
+std::string missing_feature(std::span<const std::uint32_t> words, const Target& target);
+
+}  // namespace sg::target
