@@ -1,5 +1,5 @@
 // Screen derivatives of the position without derivative instructions: after parallax and in deferred passes, where
-// neighbouring pixels do not lie on one surface. Source: Mikkelsen 2020, Listing 10; derived anew as follows.
+// neighbouring pixels do not lie on one surface. Source: Mikkelsen 2020, Listing 10. Derived anew as follows:
 //
 // A pixel's step to the right at constant depth moves the point by M[0].xyz - M[0].w P over the homogeneous weight (M
 // from screen to space; P the point). Sliding that along the view ray back onto the tangent plane gives dP/dx. The

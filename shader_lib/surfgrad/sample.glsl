@@ -1,4 +1,5 @@
 // Reading a texture with explicit gradients: legal in branches, loops and every shader stage.
+// Source: Mikkelsen 2020, section 4.3 (the level of detail is chosen by the caller).
 #ifndef SG_SAMPLE
 #define SG_SAMPLE
 

@@ -115,7 +115,7 @@ TEST_P(GoldenVectors, Hold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Section5, GoldenVectors, testing::ValuesIn(kGoldens),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& golden) { return std::string(golden.param.name); });
 
 }  // namespace
 }  // namespace sg::proof

@@ -218,6 +218,10 @@ std::vector<Case> gradient_cases() {
         // Mirrored U: s runs the other way, and so does the derivative along it.
         unchanged("mirrored_u", kFrame, "sg_uv_scale(uv, vec2(-1.0, 1.0))", "vec2(-d.x, d.y)"),
         unchanged("mirrored_v", kFrame, "sg_uv_scale(uv, vec2(1.0, -1.0))", "vec2(d.x, -d.y)"),
+        // Letter D: neither tiling nor distance nor the object's size is felt.
+        unchanged("twice_as_far", "sg_frame(vec3(0.0), 2.0 * v3(3), 2.0 * v3(6), v3(0))",
+                  "sg_uv_scale(uv, vec2(2.0))", "d"),
+        unchanged("on_a_larger_object", "sg_frame(vec3(0.0), 8.0 * v3(3), 8.0 * v3(6), v3(0))", "uv", "d"),
         unchanged("tiled", kFrame, "sg_uv_scale(uv, vec2(7.0))", "d"),
         // The viewport's y turned: both derivatives of dy change their sign.
         unchanged("viewport_turned", "sg_frame(vec3(0.0), v3(3), -v3(6), v3(0))",
@@ -250,6 +254,68 @@ std::vector<Case> turned_cases() {
     // The turn itself: 10 roundings for sine, cosine and the products (prove_uv.cpp), twice.
     quarter.bound.absolute += 40 * kUlp, any.bound.absolute += 40 * kUlp;
     return {quarter, any};
+}
+
+// Letter G: three bumps, each on top of the one before; every stage is a new frame.
+Case three_resolves() {
+    return {.name = "three_resolves",
+            .include = std::string(kFile) + " surfgrad/resolve.glsl",
+            .inputs = 21,
+            .outputs = 9,
+            .glsl = "SgFrame a = " + std::string(kFrame) + "; SgUv uv = " + kUv + ";" +
+                    "vec3 first = sg_resolve(a.normal, sg_surfgrad_from_tbn(v2(15), sg_basis_uv(a, uv)));"
+                    "SgFrame b = sg_frame_resolved(a, first);"
+                    "vec3 second = sg_resolve(first, sg_surfgrad_from_tbn(v2(17), sg_basis_uv(b, uv)));"
+                    "SgFrame c = sg_frame_resolved(b, second);"
+                    "vec3 third = sg_resolve(second, sg_surfgrad_from_tbn(v2(19), sg_basis_uv(c, uv)));"
+                    "put(0, first); put(3, second); put(6, third);",
+            .draw =
+                [](Random& random, Draw& in) {
+                    draw_gradient(random, in);
+                    in.put(17, random.direction2() * random.magnitude(1e-3, 128.0));
+                    in.put(19, random.direction2() * random.magnitude(1e-3, 128.0));
+                },
+            .property =
+                [](const In&, const In& out) {
+                    return is_unit(out.v3(0)) && is_unit(out.v3(3)) && is_unit(out.v3(6))
+                               ? ""
+                               : "a stage is not unit";
+                },
+            .mutants = {{"surfgrad/resolve.glsl", "bumped * inversesqrt(square)", "bumped"}}};
+}
+
+// Letter C, all eight: mirrored u, a turned viewport, a negated normal. T and B are made anew for each.
+TEST(BasisEdges, PointToGrowingCoordinatesInAllEightMirrorings) {
+    for (int which = 0; which < 8; ++which) {
+        Case item = basis_cases()[1];
+        item.name = "mirroring_" + std::to_string(which);
+        item.draw = [which](Random& random, Draw& in) {
+            draw_frame_and_uv(random, in);
+            const In sofar(in.floats());
+            glm::dvec2 dx = sofar.v2(11), dy = sofar.v2(13);
+            if (which & 1) dx.x = -dx.x, dy.x = -dy.x;
+            if (which & 2) in.put(6, -sofar.v3(6)), dy = -dy;
+            if (which & 4) in.put(0, -sofar.v3(0));
+            in.put(11, dx), in.put(13, dy);
+        };
+        const std::vector<float> inputs = draw_inputs(item, kMutantCount);
+        EXPECT_EQ(compare(item, inputs, evaluate(item, inputs)).violation, "")
+            << which << " SG_SEED=" << run_seed();
+    }
+}
+
+// Letter I: a mirrored instance negates w in its vertex stage, so that B, made from the mirrored N and T,
+// still points to +t of the surface.
+TEST(BasisEdges, AMirroredInstanceKeepsItsBitangentTowardsT) {
+    const Case item = {.name = "mirrored_instance",
+                       .include = kFile,
+                       .inputs = 7,
+                       .outputs = 3,
+                       .glsl = "put(0, sg_basis_vertex(v3(0), v4(3)).bitangent);"};
+    // x mirrored: N and T in world space, w negated; object-space B = cross((0,0,1), (1,0,0)) = (0,1,0) is
+    // left by it.
+    EXPECT_EQ(evaluate(item, std::vector<float>{0, 0, 1, -1, 0, 0, -1}), (std::vector<float>{0, 1, 0}));
+    EXPECT_EQ(evaluate(item, std::vector<float>{0, 0, 1, 1, 0, 0, 1}), (std::vector<float>{0, 1, 0}));
 }
 
 std::vector<Case> any_input_cases() {
@@ -286,7 +352,7 @@ std::vector<Case> any_input_cases() {
                               "vec3 tangent = normalize(vertex_tangent.xyz);"},
                              {kFile, "sign_w * scale * cross(", "sign_w * cross("}}};
     return {
-        mikk,
+        mikk, three_resolves(),
         resolved_case("surfgrad_from_tbn_uv", kFile, 17,
                       "sg_surfgrad_from_tbn(clamp(v2(15), -128.0, 128.0), " + basis_of_wild + ")", false),
         resolved_case("surfgrad_from_tbn_resolved", kFile, 18,
