@@ -1,0 +1,25 @@
+// What a shader costs on a GPU that need not be there: Mesa's RADV compiles for AMD without a device.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace sg::bench {
+
+struct GpuStatistics {
+    std::uint64_t instructions = 0;
+    std::uint64_t inverse_throughput = 0;  // the compiler's estimate, cycles
+};
+
+// A compute shader (entry "main"; one descriptor set: binding 0 and 1 storage buffers, 2 a uniform block).
+// Wants the environment kGpuEnvironment from the start of the process; empty where that driver is missing or
+// refuses.
+std::optional<GpuStatistics> gpu_statistics(std::span<const std::uint32_t> words);
+
+// Shell assignments that make this process see RADV's null device alone.
+inline constexpr const char* kGpuEnvironment =
+    "RADV_FORCE_FAMILY=navi21 RADV_DEBUG=nocache "
+    "VK_ICD_FILENAMES=/usr/share/vulkan/icd.d/radeon_icd.x86_64.json";
+
+}  // namespace sg::bench
