@@ -23,9 +23,15 @@ struct Layer {
     bool float_texels = false;  // else 16 bits
 };
 
-enum class Eye { front, behind, inside, far, facing };  // facing: straight on and orthographic, for the mip case
-// All but none turn and move. turned: uniform scale 2; mirrored: of negative determinant; squashed: not uniform, along the
-// axis of the sphere and the torus, so that their parameter lines stay perpendicular.
+enum class Eye {
+    front,
+    behind,
+    inside,
+    far,
+    facing
+};  // facing: straight on and orthographic, for the mip case
+// All but none turn and move. turned: uniform scale 2; mirrored: of negative determinant; squashed: not
+// uniform, along the axis of the sphere and the torus, so that their parameter lines stay perpendicular.
 enum class Placement { none, turned, mirrored, squashed };
 
 struct Case {
@@ -41,7 +47,9 @@ struct Case {
     int mip_level = 0;             // the coarsest level that is read; 0: the texture has no other
 };
 
-inline std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+inline std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
 
 const std::vector<Case>& all_cases();
 const Case& case_named(const std::string& name);

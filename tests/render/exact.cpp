@@ -46,7 +46,9 @@ glm::dvec3 Surface::position(glm::dvec2 st) const {
 
 glm::dvec3 Surface::along_s(glm::dvec2 st) const {
     const auto [a, b] = angles(shape, st);
-    const double radius = shape == Shape::sphere ? std::sin(b) : shape == Shape::torus ? kR + kr * std::cos(b) : 1;
+    const double radius = shape == Shape::sphere  ? std::sin(b)
+                          : shape == Shape::torus ? kR + kr * std::cos(b)
+                                                  : 1;
     if (shape == Shape::plane) return {2, 0, 0};
     return rates(shape).a * radius * glm::dvec3(std::cos(a), 0, -std::sin(a));
 }
@@ -132,14 +134,16 @@ double Chart::rate(glm::dvec2 st) const {
 
 glm::dvec2 height_gradient(const Bump& bump, glm::dvec2 st) {
     const glm::dvec2 c = bump.chart.from_surface(st);
-    const glm::dvec2 by_chart = bump.strength / std::abs(bump.tiling.x) * bump.tiling * bump.height.gradient(bump.tiling * c);
+    const glm::dvec2 by_chart =
+        bump.strength / std::abs(bump.tiling.x) * bump.tiling * bump.height.gradient(bump.tiling * c);
     if (bump.chart.uv_set == 1) return {by_chart.y, by_chart.x};
     return {bump.chart.rate(st) * by_chart.x, by_chart.y};
 }
 
 glm::dvec2 texture_slope(const Surface& surface, const Bump& bump, glm::dvec2 c) {
     const glm::dvec2 st = bump.chart.to_surface(c);
-    glm::dvec2 size(glm::length(surface.along_s(st)) / std::abs(bump.chart.rate(st)), glm::length(surface.along_t(st)));
+    glm::dvec2 size(glm::length(surface.along_s(st)) / std::abs(bump.chart.rate(st)),
+                    glm::length(surface.along_t(st)));
     if (bump.chart.uv_set == 1) size = {size.y, size.x};
     return bump.height.gradient(c) / size;
 }
@@ -151,7 +155,8 @@ glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps,
     for (const Bump& bump : bumps) slope += height_gradient(bump, st);
     const glm::dvec3 n = glm::normalize(glm::transpose(glm::inverse(world)) * surface.normal(st));
     const glm::dvec3 s = world * surface.along_s(st), t = world * surface.along_t(st);
-    slope *= glm::dvec2(glm::length(s) / glm::length(surface.along_s(st)), glm::length(t) / glm::length(surface.along_t(st)));
+    slope *= glm::dvec2(glm::length(s) / glm::length(surface.along_s(st)),
+                        glm::length(t) / glm::length(surface.along_t(st)));
     const glm::dvec3 g = glm::inverse(glm::transpose(glm::dmat3(s, t, n))) * glm::dvec3(slope, 0);
     if (side == Side::mirror) return glm::normalize(-n - g);
     return side == Side::flip ? -glm::normalize(n - g) : glm::normalize(n - g);
@@ -159,7 +164,8 @@ glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps,
 
 double angle_degrees(glm::dvec3 a, glm::dvec3 b) {
     const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-    const bool usable = glm::dot(a, a) > 0 && glm::dot(b, b) > 0 && std::isfinite(glm::dot(a, a) + glm::dot(b, b));
+    const bool usable =
+        glm::dot(a, a) > 0 && glm::dot(b, b) > 0 && std::isfinite(glm::dot(a, a) + glm::dot(b, b));
     return usable ? angle * 180 / kPi : 180;
 }
 

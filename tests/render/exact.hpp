@@ -1,5 +1,5 @@
-// Bumped surfaces by calculus, in double: what the tests hold rendered normals against. Shares nothing with the
-// library or the meshes but the published formulas of runtime/mesh/README.md.
+// Bumped surfaces by calculus, in double: what the tests hold rendered normals against. Shares nothing with
+// the library or the meshes but the published formulas of runtime/mesh/README.md.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,9 +9,9 @@ namespace sg::truth {
 
 enum class Shape { plane, sphere, torus, cylinder };
 
-// A surface with orthogonal parameter lines: dP/ds, dP/dt and the normal are perpendicular to each other everywhere.
-// plane, sphere, torus (R = 1, r = 0.4): runtime/mesh/README.md. cylinder: the half with radius 1 about the Y axis that
-// faces +Z, P = (sin a, 1 - 2t, cos a), a = pi (s - 1/2); the tests' own.
+// A surface with orthogonal parameter lines: dP/ds, dP/dt and the normal are perpendicular to each other
+// everywhere. plane, sphere, torus (R = 1, r = 0.4): runtime/mesh/README.md. cylinder: the half with radius 1
+// about the Y axis that faces +Z, P = (sin a, 1 - 2t, cos a), a = pi (s - 1/2); the tests' own.
 struct Surface {
     Shape shape = Shape::plane;
 
@@ -23,8 +23,8 @@ struct Surface {
     [[nodiscard]] glm::dvec2 inverse(glm::dvec3 point) const;
 };
 
-// A height over a chart with period 1 in both coordinates: a sum of amplitude * sin(2 pi (i x + j y) + phase), times
-// sin^2(pi c[taper_axis]) where an axis is given, so that it dies out at a sphere's poles.
+// A height over a chart with period 1 in both coordinates: a sum of amplitude * sin(2 pi (i x + j y) +
+// phase), times sin^2(pi c[taper_axis]) where an axis is given, so that it dies out at a sphere's poles.
 struct Wave {
     double amplitude = 0;
     int i = 0, j = 0;
@@ -38,8 +38,8 @@ struct Height {
     [[nodiscard]] glm::dvec2 gradient(glm::dvec2 c) const;
 };
 
-// A uv set: uv0 is (s, t), mirrored (1 - s, t), folded (|2s - 1|, t), whose left half is mirrored and whose right half is
-// not; uv1 is (t, s) whatever uv0 is.
+// A uv set: uv0 is (s, t), mirrored (1 - s, t), folded (|2s - 1|, t), whose left half is mirrored and whose
+// right half is not; uv1 is (t, s) whatever uv0 is.
 enum class Unwrap { straight, mirrored, folded };
 struct Chart {
     int uv_set = 0;
@@ -47,7 +47,7 @@ struct Chart {
 
     [[nodiscard]] glm::dvec2 from_surface(glm::dvec2 st) const;
     [[nodiscard]] glm::dvec2 to_surface(glm::dvec2 c) const;  // of a folded chart, in the right half
-    [[nodiscard]] double rate(glm::dvec2 st) const;           // of the coordinate that belongs to s, against s
+    [[nodiscard]] double rate(glm::dvec2 st) const;  // of the coordinate that belongs to s, against s
 };
 
 // One bump: H(s, t) = strength / k * height(tiling * chart(s, t)), with k = |tiling.x| = |tiling.y|.
@@ -66,10 +66,11 @@ glm::dvec2 texture_slope(const Surface& surface, const Bump& bump, glm::dvec2 c)
 
 enum class Side { front, mirror, flip };  // front: seen from outside, or one-sided
 
-// The unit normal of the surface displaced by the sum of the bumps (first order in H, as Eq 5 and Eq 7 say): g from
-// g.dP/ds = dH/ds, g.dP/dt = dH/dt, g.n = 0. front: n - g; mirror: -n - g; flip: -(n - g).
-//   point: in object space. world: the linear part of the placement, which must leave dP/ds and dP/dt perpendicular; n stays
-//   on the outer side. TBN style keeps slopes, not heights: each derivative of H grows with the length of its dP.
+// The unit normal of the surface displaced by the sum of the bumps (first order in H, as Eq 5 and Eq 7 say):
+// g from g.dP/ds = dH/ds, g.dP/dt = dH/dt, g.n = 0. front: n - g; mirror: -n - g; flip: -(n - g).
+//   point: in object space. world: the linear part of the placement, which must leave dP/ds and dP/dt
+//   perpendicular; n stays on the outer side. TBN style keeps slopes, not heights: each derivative of H grows
+//   with the length of its dP.
 glm::dvec3 bumped_normal(const Surface& surface, const std::vector<Bump>& bumps, glm::dvec3 point, Side side,
                          const glm::dmat3& world = glm::dmat3(1));
 

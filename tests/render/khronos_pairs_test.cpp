@@ -1,9 +1,10 @@
-// The Khronos sample NormalTangentTest: fifteen pairs of hemispheres, on the left as geometry, on the right as a normal map
-// on a flat square. Each row of five turns its uvs by another angle. The model has no tangents, so both ways are tried: from
-// uv derivatives, and made for the vertices. Seen in both pictures: the left and the right of each pair have the same colours
-// as normals, and lit from the upper left the same highlight and the same shade, but for the thin rim where the geometry
-// meets its square. With green turned, the right ones of the first, third and fifth row become dents, lit from below or
-// from the right; the second and fourth row still look right, as their uvs run along the light: hence the numbers.
+// The Khronos sample NormalTangentTest: fifteen pairs of hemispheres, on the left as geometry, on the right
+// as a normal map on a flat square. Each row of five turns its uvs by another angle. The model has no
+// tangents, so both ways are tried: from uv derivatives, and made for the vertices. Seen in both pictures:
+// the left and the right of each pair have the same colours as normals, and lit from the upper left the same
+// highlight and the same shade, but for the thin rim where the geometry meets its square. With green turned,
+// the right ones of the first, third and fifth row become dents, lit from below or from the right; the second
+// and fourth row still look right, as their uvs run along the light: hence the numbers.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -16,13 +17,14 @@
 namespace sg::truth {
 namespace {
 
-const char* const kModel = SG_SOURCE_DIR "/../shared/data/gltf/khronos/NormalTangentTest/NormalTangentTest.glb";
+const char* const kModel =
+    SG_SOURCE_DIR "/../shared/data/gltf/khronos/NormalTangentTest/NormalTangentTest.glb";
 
 constexpr std::uint32_t kSide = 512;
-constexpr double kUnits = 2.56;               // world units across the picture: 200 pixels a unit
-constexpr std::uint32_t kTwin = 64;           // pixels from a hemisphere to its twin: 0.32 units
+constexpr double kUnits = 2.56;      // world units across the picture: 200 pixels a unit
+constexpr std::uint32_t kTwin = 64;  // pixels from a hemisphere to its twin: 0.32 units
 constexpr int kColumns = 3, kRows = 5;
-constexpr double kPitchX = 0.8, kPitchY = 0.4;  // from pair to pair; the upper left square's centre is (-0.96, 0.8)
+constexpr double kPitchX = 0.8, kPitchY = 0.4;  // from pair to pair; the first square is at (-0.96, 0.8)
 
 std::uint32_t word(const std::string& bytes, std::size_t at) {
     std::uint32_t out = 0;
@@ -30,7 +32,8 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
     return out;
 }
 
-// The bytes of the picture that the first material names as its normal map: GLB container, JSON chunk, buffer view.
+// The bytes of the picture that the first material names as its normal map: GLB container, JSON chunk, buffer
+// view.
 std::string embedded_normal_map(const std::string& glb) {
     const std::size_t json_size = word(glb, 12), binary = 20 + json_size + 8;
     const auto json = nlohmann::json::parse(glb.substr(20, json_size));
@@ -64,22 +67,26 @@ protected:
 
 // The pair that holds a pixel on its left half, row by row, or -1.
 int pair_at(std::uint32_t x, std::uint32_t y) {
-    const double wx = (x + 0.5) / kSide * kUnits - kUnits / 2, wy = kUnits / 2 - (y + 0.5) / kSide * kUnits - 0.125;
+    const double wx = (x + 0.5) / kSide * kUnits - kUnits / 2,
+                 wy = kUnits / 2 - (y + 0.5) / kSide * kUnits - 0.125;
     const double column = std::round((wx + 0.96) / kPitchX), row = std::round((0.8 - wy) / kPitchY);
-    const bool inside = std::abs(wx + 0.96 - column * kPitchX) < 0.15 && std::abs(0.8 - row * kPitchY - wy) < 0.15;
+    const bool inside =
+        std::abs(wx + 0.96 - column * kPitchX) < 0.15 && std::abs(0.8 - row * kPitchY - wy) < 0.15;
     const bool valid = inside && column >= 0 && column < kColumns && row >= 0 && row < kRows;
     return valid ? static_cast<int>(row) * kColumns + static_cast<int>(column) : -1;
 }
 
-std::vector<Percentiles> KhronosPairs::compare(const std::string& basis, const std::string& green, double zero,
-                                               const target::ShaderLibrary& library) {
+std::vector<Percentiles> KhronosPairs::compare(const std::string& basis, const std::string& green,
+                                               double zero, const target::ShaderLibrary& library) {
     const nlohmann::json material = {
         {"version", 1},
-        {"textures", {{"map", {{"file", "map.png"}, {"encoding", "tangent_normal"}, {"green", green}, {"zero", zero}}}}},
+        {"textures",
+         {{"map", {{"file", "map.png"}, {"encoding", "tangent_normal"}, {"green", green}, {"zero", zero}}}}},
         {"bump", {{{"layers", {{{"kind", "normal_map"}, {"texture", "map"}, {"basis", basis}}}}}}}};
     Made made = make({material.dump(), {{"map.png", normal_map_}}, {"normal", "debug", "forward"}}, library);
     if (!library_is_altered_) show(draw(made, scene_, "lit", kSide, kSide), "khronos_lit_" + basis + green);
-    for (auto& chain : made.textures.chains) chain.resize(1);  // the normal at the point, not the mean over a pixel
+    for (auto& chain : made.textures.chains)
+        chain.resize(1);  // the normal at the point, not the mean over a pixel
     const runtime::Picture mapped = draw(made, scene_, "normal", kSide, kSide);
     const runtime::Picture geometry = draw(made, scene_, "base-normal", kSide, kSide);
     if (!library_is_altered_) show(mapped, "khronos_normal_" + basis + green);
@@ -88,7 +95,9 @@ std::vector<Percentiles> KhronosPairs::compare(const std::string& basis, const s
         for (std::uint32_t x = 0; x + kTwin < kSide; ++x) {
             const int pair = pair_at(x, y);
             const bool dome = pair >= 0 && covered(geometry, x, y) && rgb(geometry, x, y).z < std::cos(0.05);
-            if (dome) angles[static_cast<std::size_t>(pair)].push_back(angle_degrees(rgb(geometry, x, y), rgb(mapped, x + kTwin, y)));
+            if (dome)
+                angles[static_cast<std::size_t>(pair)].push_back(
+                    angle_degrees(rgb(geometry, x, y), rgb(mapped, x + kTwin, y)));
         }
     }
     std::vector<Percentiles> out;
@@ -97,24 +106,27 @@ std::vector<Percentiles> KhronosPairs::compare(const std::string& basis, const s
 }
 
 // Half of the pixels may not be further apart than this, degrees.
-//   8 bits: a decoded component is off by up to 1/255 either way, evenly; two of them, across the normal, turn it by an
-//   angle of the Rayleigh kind with sigma = 2/255/sqrt(12), whose median is 1.177 sigma = 0.153 degrees (filtering only averages that).
-//   Facets: over a facet whose vertex normals span the angle e, the interpolated normal is up to e^2/8, on average 2/3 of that,
-//   too short before it is normalised, which tips it outward by as much times tan(tilt).
+//   8 bits: a decoded component is off by up to 1/255 either way, evenly; two of them, across the normal,
+//   turn it by an angle of the Rayleigh kind with sigma = 2/255/sqrt(12), whose median is 1.177 sigma = 0.153
+//   degrees (filtering only averages that). Facets: over a facet whose vertex normals span the angle e, the
+//   interpolated normal is up to e^2/8, on average 2/3 of that, too short before it is normalised, which tips
+//   it outward by as much times tan(tilt).
 double median_bound(const asset::Scene& content) {
     const double bits = 1.1774 * 2 / 255 / std::sqrt(12.0) * 180 / 3.141592653589793;
     std::vector<double> spans, tilts;
     const asset::Mesh& mesh = content.meshes[0];
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const glm::dvec3 a(mesh.normals[mesh.indices[i + k]]), b(mesh.normals[mesh.indices[i + (k + 1) % 3]]);
+            const glm::dvec3 a(mesh.normals[mesh.indices[i + k]]),
+                b(mesh.normals[mesh.indices[i + (k + 1) % 3]]);
             const double span = angle_degrees(a, b) / 180 * 3.141592653589793;
             if (span < 1e-3) continue;  // the flat squares
             spans.push_back(span);
             tilts.push_back(std::hypot(a.x, a.y) / std::abs(a.z));
         }
     }
-    const double span = percentiles(spans).median, facets = 2.0 / 3 * span * span / 8 * percentiles(tilts).median;
+    const double span = percentiles(spans).median,
+                 facets = 2.0 / 3 * span * span / 8 * percentiles(tilts).median;
     return bits + facets * 180 / 3.141592653589793;
 }
 
@@ -126,7 +138,10 @@ double worst(const std::vector<Percentiles>& pairs, const char* what) {
         median = std::max(median, pair.median);
         p99 = std::max(p99, pair.p99);
     }
-    fmt::print("NormalTangentTest {}: worst pair's median {:.3f}, p99 {:.2f} (the rim, where the geometry has an edge)\n", what, median, p99);
+    fmt::print(
+        "NormalTangentTest {}: worst pair's median {:.3f}, p99 {:.2f} (the rim, where the geometry has an "
+        "edge)\n",
+        what, median, p99);
     return median;
 }
 
@@ -156,7 +171,8 @@ TEST_F(KhronosPairs, NoWrongSignInTheLibraryPasses) {
         if (at != std::string::npos) file.replace(at, text.size(), wrong);
         return library;
     };
-    const auto turned_w = mutant("vertex_tangent.w < 0.0 ? -1.0 : 1.0", "vertex_tangent.w < 0.0 ? 1.0 : -1.0");
+    const auto turned_w =
+        mutant("vertex_tangent.w < 0.0 ? -1.0 : 1.0", "vertex_tangent.w < 0.0 ? 1.0 : -1.0");
     const auto turned_t = mutant("sign_det * frame.flip_sign * cross", "-sign_det * frame.flip_sign * cross");
     EXPECT_GT(worst(compare("vertex", "up", 127.5, turned_w), "vertex, w turned"), bound);
     EXPECT_GT(worst(compare("uv", "up", 127.5, turned_t), "uv, t turned"), bound);

@@ -8,9 +8,10 @@
 namespace sg::truth {
 namespace {
 
-constexpr int kAround = 1024, kAlong = 256;    // sphere and torus
+constexpr int kAround = 1024, kAlong = 256;  // sphere and torus
 constexpr int kPlaneQuads = 8;
-constexpr int kCylinderSlices = 12, kCylinderRows = 4;  // coarse on purpose: interpolated normals are up to 0.9 % short
+constexpr int kCylinderSlices = 12,
+              kCylinderRows = 4;  // coarse on purpose: interpolated normals are up to 0.9 % short
 
 asset::Mesh make_cylinder() {
     asset::Mesh mesh;
@@ -28,8 +29,10 @@ asset::Mesh make_cylinder() {
     }
     for (std::uint32_t row = 0; row < kCylinderRows; ++row) {
         for (std::uint32_t column = 0; column < kCylinderSlices; ++column) {
-            const std::uint32_t upper = row * (kCylinderSlices + 1) + column, lower = upper + kCylinderSlices + 1;
-            for (std::uint32_t i : {upper, lower, lower + 1, upper, lower + 1, upper + 1}) mesh.indices.push_back(i);
+            const std::uint32_t upper = row * (kCylinderSlices + 1) + column,
+                                lower = upper + kCylinderSlices + 1;
+            for (std::uint32_t i : {upper, lower, lower + 1, upper, lower + 1, upper + 1})
+                mesh.indices.push_back(i);
         }
     }
     return mesh;

@@ -6,7 +6,8 @@
 
 namespace sg::truth {
 
-// Angles that one quad spans along s and t, radians; 0 on flat directions. edge: its shorter side, world units.
+// Angles that one quad spans along s and t, radians; 0 on flat directions. edge: its shorter side, world
+// units.
 struct Tessellation {
     double da = 0, db = 0, edge = 0;
 };

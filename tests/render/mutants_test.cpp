@@ -1,4 +1,5 @@
-// The analytic cases can fail: each wrong line of the shader library breaks the bound of at least one of them.
+// The analytic cases can fail: each wrong line of the shader library breaks the bound of at least one of
+// them.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -9,62 +10,80 @@ namespace {
 
 struct Mutant {
     std::string name;
-    std::string file;      // of the shader library
-    std::string text;      // must stand there exactly once, so that this table cannot rot
+    std::string file;  // of the shader library
+    std::string text;  // must stand there exactly once, so that this table cannot rot
     std::string wrong;
     std::string case_name;  // whose bound it breaks
 };
-std::ostream& operator<<(std::ostream& out, const Mutant& m) { return out << m.name; }
+std::ostream& operator<<(std::ostream& out, const Mutant& m) {
+    return out << m.name;
+}
 
 const std::vector<Mutant> kMutants = {
-    {"bitangent_of_uv_basis_towards_minus_t", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross(frame.normal, tangent)",
+    {"bitangent_of_uv_basis_towards_minus_t", "surfgrad/tbn.glsl",
+     "sign_det * frame.flip_sign * cross(frame.normal, tangent)",
      "-sign_det * frame.flip_sign * cross(frame.normal, tangent)", "plane_uv_xyz_down_float"},
-    {"flip_sign_is_forgotten", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross", "sign_det * cross", "sphere_uv"},
-    {"flip_sign_is_that_of_front_faces", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross", "sign_det * -1.0 * cross",
-     "sphere_uv_inside_flip"},
-    {"mirrored_uvs_are_ignored", "surfgrad/tbn.glsl", "float sign_det = det < 0.0 ? -1.0 : 1.0;", "float sign_det = 1.0;",
-     "torus_uv_mirrored"},
-    {"w_has_the_other_sign", "surfgrad/tbn.glsl", "vertex_tangent.w < 0.0 ? -1.0 : 1.0", "vertex_tangent.w < 0.0 ? 1.0 : -1.0",
-     "plane_vertex_xyz_up"},
-    {"w_is_ignored", "surfgrad/tbn.glsl", "vertex_tangent.w < 0.0 ? -1.0 : 1.0", "-1.0", "sphere_vertex_mirrored"},
+    {"flip_sign_is_forgotten", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross", "sign_det * cross",
+     "sphere_uv"},
+    {"flip_sign_is_that_of_front_faces", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross",
+     "sign_det * -1.0 * cross", "sphere_uv_inside_flip"},
+    {"mirrored_uvs_are_ignored", "surfgrad/tbn.glsl", "float sign_det = det < 0.0 ? -1.0 : 1.0;",
+     "float sign_det = 1.0;", "torus_uv_mirrored"},
+    {"w_has_the_other_sign", "surfgrad/tbn.glsl", "vertex_tangent.w < 0.0 ? -1.0 : 1.0",
+     "vertex_tangent.w < 0.0 ? 1.0 : -1.0", "plane_vertex_xyz_up"},
+    {"w_is_ignored", "surfgrad/tbn.glsl", "vertex_tangent.w < 0.0 ? -1.0 : 1.0", "-1.0",
+     "sphere_vertex_mirrored"},
     {"vertex_frame_not_scaled_by_the_normals_length", "surfgrad/tbn.glsl",
      "float scale = square > 1e-30 && square < 1e30 ? inversesqrt(square) : 0.0;",
      "float scale = square > 1e-30 && square < 1e30 ? 1.0 : 0.0;", "cylinder_coarse_vertex"},
-    {"bitangent_from_the_unit_normal", "surfgrad/tbn.glsl", "sign_w * scale * cross(", "sign_w * cross(", "cylinder_coarse_vertex"},
+    {"bitangent_from_the_unit_normal", "surfgrad/tbn.glsl", "sign_w * scale * cross(", "sign_w * cross(",
+     "cylinder_coarse_vertex"},
     {"derivative_is_swapped", "surfgrad/tbn.glsl", "d.x * basis.tangent + d.y * basis.bitangent",
      "d.y * basis.tangent + d.x * basis.bitangent", "sphere_uv"},
-    {"negative_tiling_keeps_the_tangent", "surfgrad/tbn.glsl", "scale.x < 0.0 ? -basis.tangent", "scale.x < 0.0 ? basis.tangent",
-     "torus_vertex_tiling_negative"},
+    {"negative_tiling_keeps_the_tangent", "surfgrad/tbn.glsl", "scale.x < 0.0 ? -basis.tangent",
+     "scale.x < 0.0 ? basis.tangent", "torus_vertex_tiling_negative"},
     {"negative_tiling_keeps_the_bitangent", "surfgrad/tbn.glsl", "scale.y < 0.0 ? -basis.bitangent",
      "scale.y < 0.0 ? basis.bitangent", "plane_vertex_tiling_negative"},
-    {"green_is_not_flipped", "surfgrad/deriv.glsl", "return vec2(d.x, -d.y);", "return d;", "plane_vertex_xyz_up"},
-    {"red_is_flipped_for_green", "surfgrad/deriv.glsl", "return vec2(d.x, -d.y);", "return vec2(-d.x, d.y);", "torus_vertex"},
-    {"slope_of_xyz_has_the_other_sign", "surfgrad/deriv.glsl", "z > 0.0 ? -m.xy / z", "z > 0.0 ? m.xy / z", "sphere_vertex_down"},
-    {"slope_of_xyz_not_divided_by_z", "surfgrad/deriv.glsl", "z > 0.0 ? -m.xy / z", "z > 0.0 ? -m.xy", "plane_vertex_xyz_up"},
-    {"slope_of_xy_has_the_other_sign", "surfgrad/deriv.glsl", "return -m * inversesqrt(", "return m * inversesqrt(",
-     "plane_uv_xy_up_zero128"},
+    {"green_is_not_flipped", "surfgrad/deriv.glsl", "return vec2(d.x, -d.y);", "return d;",
+     "plane_vertex_xyz_up"},
+    {"red_is_flipped_for_green", "surfgrad/deriv.glsl", "return vec2(d.x, -d.y);", "return vec2(-d.x, d.y);",
+     "torus_vertex"},
+    {"slope_of_xyz_has_the_other_sign", "surfgrad/deriv.glsl", "z > 0.0 ? -m.xy / z", "z > 0.0 ? m.xy / z",
+     "sphere_vertex_down"},
+    {"slope_of_xyz_not_divided_by_z", "surfgrad/deriv.glsl", "z > 0.0 ? -m.xy / z", "z > 0.0 ? -m.xy",
+     "plane_vertex_xyz_up"},
+    {"slope_of_xy_has_the_other_sign", "surfgrad/deriv.glsl", "return -m * inversesqrt(",
+     "return m * inversesqrt(", "plane_uv_xy_up_zero128"},
     {"zero_is_always_127_and_a_half", "surfgrad/deriv.glsl",
      "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return clamp((255.0 * texel - zero) /",
-     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    zero = 127.5;\n    return clamp((255.0 * texel - zero) /",
+     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    zero = 127.5;\n    return clamp((255.0 * texel - "
+     "zero) /",
      "plane_uv_xyz_up_zero127"},
     {"reach_is_always_127_and_a_half", "surfgrad/deriv.glsl",
-     "vec2 sg_decode_signed(vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero)",
+     "vec2 sg_decode_signed(vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / min(zero, "
+     "255.0 - zero)",
      "vec2 sg_decode_signed(vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / 127.5",
      "plane_vertex_xy_down_zero127"},
-    {"resolve_adds", "surfgrad/resolve.glsl", "scale * n - scale * g", "scale * n + scale * g", "torus_two_uv_sets"},
-    {"flip_does_nothing", "surfgrad/resolve.glsl", "return facing * resolved;", "return resolved;", "plane_vertex_behind_flip"},
-    {"mirror_does_nothing", "surfgrad/frame.glsl", "return facing * n;", "return n;", "plane_uv_behind_mirror"},
-    {"sigma_is_the_whole_derivative", "surfgrad/frame.glsl", "sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp", "dpdx, dpdy, sign_dp",
-     "cylinder_coarse_uv"},
-    {"vertex_normal_points_inward", "stage/vertex.glsl", "normal_from_object) * normal", "normal_from_object) * -normal",
-     "plane_vertex_xyz_up"},
-    {"normal_goes_through_the_matrix_of_positions", "stage/vertex.glsl", "mat3(sg_object_block.normal_from_object) * normal",
+    {"resolve_adds", "surfgrad/resolve.glsl", "scale * n - scale * g", "scale * n + scale * g",
+     "torus_two_uv_sets"},
+    {"flip_does_nothing", "surfgrad/resolve.glsl", "return facing * resolved;", "return resolved;",
+     "plane_vertex_behind_flip"},
+    {"mirror_does_nothing", "surfgrad/frame.glsl", "return facing * n;", "return n;",
+     "plane_uv_behind_mirror"},
+    {"sigma_is_the_whole_derivative", "surfgrad/frame.glsl",
+     "sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp", "dpdx, dpdy, sign_dp", "cylinder_coarse_uv"},
+    {"vertex_normal_points_inward", "stage/vertex.glsl", "normal_from_object) * normal",
+     "normal_from_object) * -normal", "plane_vertex_xyz_up"},
+    {"normal_goes_through_the_matrix_of_positions", "stage/vertex.glsl",
+     "mat3(sg_object_block.normal_from_object) * normal",
      "mat3(sg_object_block.relative_from_object) * normal", "sphere_vertex_squashed"},
-    {"mirrored_instance_keeps_w", "stage/vertex.glsl", "tangent.w * sg_object_block.normal_from_object[3][3]", "tangent.w",
-     "torus_vertex_mirrored_instance"},
-    {"tangent_stays_in_object_space", "stage/vertex.glsl", "sg_stage_unit(mat3(sg_object_block.relative_from_object) * tangent.xyz)",
-     "sg_stage_unit(tangent.xyz)", "sphere_vertex_turned"},
-    {"uv_derivatives_are_swapped", "stage/fragment.glsl", "dFdxFine(st), dFdyFine(st)", "dFdyFine(st), dFdxFine(st)", "plane_uv_mirrored"},
+    {"mirrored_instance_keeps_w", "stage/vertex.glsl", "tangent.w * sg_object_block.normal_from_object[3][3]",
+     "tangent.w", "torus_vertex_mirrored_instance"},
+    {"tangent_stays_in_object_space", "stage/vertex.glsl",
+     "sg_stage_unit(mat3(sg_object_block.relative_from_object) * tangent.xyz)", "sg_stage_unit(tangent.xyz)",
+     "sphere_vertex_turned"},
+    {"uv_derivatives_are_swapped", "stage/fragment.glsl", "dFdxFine(st), dFdyFine(st)",
+     "dFdyFine(st), dFdxFine(st)", "plane_uv_mirrored"},
     {"facing_is_turned", "stage/fragment.glsl", "gl_FrontFacing ? 1.0 : -1.0", "gl_FrontFacing ? -1.0 : 1.0",
      "sphere_vertex_inside_mirror"},
 };
@@ -85,8 +104,8 @@ TEST_P(MutantShader, BreaksItsCase) {
     ASSERT_EQ(occurrences(text, mutant.text), 1u) << "the library changed: '" << mutant.text << "'";
     text.replace(text.find(mutant.text), mutant.text.size(), mutant.wrong);
     const Outcome o = run_case(case_named(mutant.case_name), library);
-    fmt::print("{:48} breaks {:44} median {:.4f} of {:.4f}, p99 {:.4f} of {:.4f}\n", mutant.name, mutant.case_name, o.error.median,
-               o.bound.median(), o.error.p99, o.bound.p99());
+    fmt::print("{:48} breaks {:44} median {:.4f} of {:.4f}, p99 {:.4f} of {:.4f}\n", mutant.name,
+               mutant.case_name, o.error.median, o.bound.median(), o.error.p99, o.bound.p99());
     EXPECT_GT(o.error.count, 500u);
     EXPECT_FALSE(o.holds());
 }

@@ -1,5 +1,5 @@
-// TBN-style strength depends neither on the picture's resolution nor on the camera's distance: the same point of the
-// surface gets the same normal.
+// TBN-style strength depends neither on the picture's resolution nor on the camera's distance: the same point
+// of the surface gets the same normal.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace sg::truth {
 namespace {
 
-// Both uv sets with tangents from derivatives, whose size is what resolution and distance change. Orthographic, so that
-// the camera's distance leaves every pixel on its point; textures have one level.
+// Both uv sets with tangents from derivatives, whose size is what resolution and distance change.
+// Orthographic, so that the camera's distance leaves every pixel on its point; textures have one level.
 Case test_case(Eye eye) {
     Case c{"resolution", Shape::torus, {{.strength = 0.7}, {.uv = 1, .height = 1, .strength = 0.8}}};
     c.eye = eye;
@@ -17,24 +17,28 @@ Case test_case(Eye eye) {
     return c;
 }
 
-// Pixel (x, y) of a picture against pixel (k x + k / 2, k y + k / 2) of one k times as large, k odd: one and the same point.
-std::vector<double> differences(const runtime::Picture& small, const runtime::Picture& large, std::uint32_t k) {
+// Pixel (x, y) of a picture against pixel (k x + k / 2, k y + k / 2) of one k times as large, k odd: one and
+// the same point.
+std::vector<double> differences(const runtime::Picture& small, const runtime::Picture& large,
+                                std::uint32_t k) {
     std::vector<double> out;
     for (std::uint32_t y = 0; y < kPixels; ++y) {
         for (std::uint32_t x = 0; x < kPixels; ++x) {
             const std::uint32_t lx = k * x + k / 2, ly = k * y + k / 2;
             if (covered(small, x, y) != covered(large, lx, ly)) out.push_back(180);
-            if (covered(small, x, y) && covered(large, lx, ly)) out.push_back(angle_degrees(rgb(small, x, y), rgb(large, lx, ly)));
+            if (covered(small, x, y) && covered(large, lx, ly))
+                out.push_back(angle_degrees(rgb(small, x, y), rgb(large, lx, ly)));
         }
     }
     return out;
 }
 
-// The two pictures see the same facet of the same surface through the same texel, so only rounding is left, of both. A point
-// on the border of two facets may fall to either in one picture: at most the whole tangent turn of a facet, twice.
+// The two pictures see the same facet of the same surface through the same texel, so only rounding is left,
+// of both. A point on the border of two facets may fall to either in one picture: at most the whole tangent
+// turn of a facet, twice.
 void expect_within(const Percentiles& found, double arithmetic, double basis, const char* what) {
-    fmt::print("{}: median {:.5f} p99 {:.5f} (bound {:.5f}) max {:.5f} (bound {:.5f}) of {}\n", what, found.median, found.p99,
-               arithmetic, found.max, arithmetic + 2 * basis, found.count);
+    fmt::print("{}: median {:.5f} p99 {:.5f} (bound {:.5f}) max {:.5f} (bound {:.5f}) of {}\n", what,
+               found.median, found.p99, arithmetic, found.max, arithmetic + 2 * basis, found.count);
     EXPECT_GT(found.count, 2000u);
     EXPECT_LE(found.median, arithmetic / 2) << what;
     EXPECT_LE(found.p99, arithmetic) << what;
@@ -47,7 +51,8 @@ TEST(Resolution, ThreeTimesThePixelsGiveTheSameNormals) {
     const runtime::Scene scene = scene_of(c);
     const runtime::Picture small = draw(made, scene, "normal", kPixels, kPixels);
     const runtime::Picture large = draw(made, scene, "normal", 3 * kPixels, 3 * kPixels);
-    expect_within(percentiles(differences(small, large, 3)), 2 * bound_of(c).arithmetic, bound_of(c).basis, "3x the pixels");
+    expect_within(percentiles(differences(small, large, 3)), 2 * bound_of(c).arithmetic, bound_of(c).basis,
+                  "3x the pixels");
 }
 
 TEST(Resolution, FourTimesTheDistanceGivesTheSameNormals) {

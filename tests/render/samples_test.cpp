@@ -1,5 +1,5 @@
-// Every sample of materials/: the optimisers change nothing that can be seen, nor does the order of layers, and the
-// validation layers have nothing to say.
+// Every sample of materials/: the optimisers change nothing that can be seen, nor does the order of layers,
+// and the validation layers have nothing to say.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,8 @@ double largest_difference(const runtime::Picture& a, const runtime::Picture& b) 
     for (std::uint32_t y = 0; y < kSide; ++y) {
         for (std::uint32_t x = 0; x < kSide; ++x) {
             if (covered(a, x, y) != covered(b, x, y)) return INFINITY;
-            const glm::dvec3 d = glm::abs(rgb(a, x, y) - rgb(b, x, y)) / glm::max(glm::abs(rgb(a, x, y)), glm::dvec3(1));
+            const glm::dvec3 d =
+                glm::abs(rgb(a, x, y) - rgb(b, x, y)) / glm::max(glm::abs(rgb(a, x, y)), glm::dvec3(1));
             if (!(d.x + d.y + d.z < INFINITY)) return INFINITY;
             largest = std::max({largest, d.x, d.y, d.z});
         }
@@ -55,9 +56,9 @@ std::size_t covered_count(const runtime::Picture& picture) {
     return static_cast<std::size_t>(std::count(picture.coverage.begin(), picture.coverage.end(), 1.0f));
 }
 
-// What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the square of
-// (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of 2^-24 there, doubled by the
-// square, are relative to a^2.
+// What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the
+// square of (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of
+// 2^-24 there, doubled by the square, are relative to a^2.
 double limit(const std::string& json, const std::string& view) {
     if (view != "lit") return 1e-5;
     const double roughness = nlohmann::json::parse(json)["surface"].value("roughness", 0.5);
@@ -75,7 +76,8 @@ TEST_P(Samples, RenderAlikeOptimisedAndNot) {
     const Made plain = make(recipe(false)), optimised = make(recipe(true));
     const runtime::Scene scene = torus_scene();
     for (const char* view : {"normal", "lit", "gradient"}) {
-        const runtime::Picture a = draw(plain, scene, view, kSide, kSide), b = draw(optimised, scene, view, kSide, kSide);
+        const runtime::Picture a = draw(plain, scene, view, kSide, kSide),
+                               b = draw(optimised, scene, view, kSide, kSide);
         EXPECT_GT(covered_count(a), kSide * kSide / 5) << view;
         const double difference = largest_difference(a, b);
         fmt::print("{} {}: optimised and plain differ by {:.2e}\n", GetParam(), view, difference);
@@ -111,7 +113,8 @@ TEST_P(Samples, OrderOfLayersDoesNotMatter) {
 
 INSTANTIATE_TEST_SUITE_P(Materials, Samples, testing::ValuesIn(sample_names()), [](const auto& row) {
     std::string name = row.param.substr(0, row.param.find('.'));
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return name;
 });
 

@@ -15,14 +15,20 @@ namespace {
 constexpr std::uint32_t kTexels = 256;  // per side of a texture
 constexpr double kDegrees = 180 / 3.141592653589793;
 constexpr double kWide = 1.5, kHigh = 0.8;  // of the squashed placement
-constexpr double kUlp = 1.1920929e-7;  // of fp32, relative
+constexpr double kUlp = 1.1920929e-7;       // of fp32, relative
 
-glm::dvec2 texel_center(std::uint32_t x, std::uint32_t y) { return {(x + 0.5) / kTexels, (y + 0.5) / kTexels}; }
+glm::dvec2 texel_center(std::uint32_t x, std::uint32_t y) {
+    return {(x + 0.5) / kTexels, (y + 0.5) / kTexels};
+}
 
 // The tangent-space normal that a texel stands for, green down.
-glm::dvec3 tangent_normal(glm::dvec2 slope) { return glm::normalize(glm::dvec3(-slope, 1)); }
+glm::dvec3 tangent_normal(glm::dvec2 slope) {
+    return glm::normalize(glm::dvec3(-slope, 1));
+}
 
-double reach(double zero) { return zero == 127.5 ? 127.5 : 127; }
+double reach(double zero) {
+    return zero == 127.5 ? 127.5 : 127;
+}
 
 std::string texture_bytes(const Case& c, const Layer& layer) {
     const auto format = layer.float_texels ? asset::TexelFormat::float32 : asset::TexelFormat::unorm16;
@@ -42,9 +48,9 @@ std::string texture_bytes(const Case& c, const Layer& layer) {
 
 // What the bounds need to know about a texture, from the exact normals at texel centres.
 struct TextureFacts {
-    double second = 0;        // largest |second difference| along x plus the same along y
-    double first = 0;         // largest |difference| between neighbours
-    double steepest = 0;      // largest slope
+    double second = 0;    // largest |second difference| along x plus the same along y
+    double first = 0;     // largest |difference| between neighbours
+    double steepest = 0;  // largest slope
 };
 TextureFacts facts_of(const Case& c, const Layer& layer) {
     const Bump bump = bump_of(c, layer);
@@ -106,18 +112,21 @@ glm::mat4 placement_matrix(Placement placement) {
     return glm::mat4(glm::scale(turned, scale));
 }
 
-double scale_of(const glm::dmat4& matrix) { return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix)))); }
+double scale_of(const glm::dmat4& matrix) {
+    return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix))));
+}
 
 // Positions do not depend on the material: one picture for all cases that share a scene.
 const runtime::Picture& positions_of(const Case& c, const runtime::Scene& scene) {
     static std::map<std::string, runtime::Picture> pictures;
     const bool both_sides = c.two_sided != Side::front;
-    const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(c.shape), static_cast<int>(c.eye), c.orthographic,
-                                        static_cast<int>(c.placement), both_sides);
+    const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(c.shape), static_cast<int>(c.eye),
+                                        c.orthographic, static_cast<int>(c.placement), both_sides);
     auto [at, fresh] = pictures.try_emplace(key);
     if (fresh) {
         static const Made kFront = make({R"({"version": 1})", {}, {"debug"}});
-        static const Made kBoth = make({R"({"version": 1, "surface": {"two_sided": "mirror"}})", {}, {"debug"}});
+        static const Made kBoth =
+            make({R"({"version": 1, "surface": {"two_sided": "mirror"}})", {}, {"debug"}});
         at->second = draw(both_sides ? kBoth : kFront, scene, "position", kPixels, kPixels);
     }
     return at->second;
@@ -125,29 +134,36 @@ const runtime::Picture& positions_of(const Case& c, const runtime::Scene& scene)
 
 }  // namespace
 
-// filter: bilinear filtering between values of a function f with second derivatives is off by at most 1/8 of the second
-//   difference along x plus the same along y. An error e of the encoded unit normal is one of e (1 + d^2) in the slope d,
-//   and of e / z = e sqrt(1 + d^2) more where z follows from x and y. At mip level l the texel is also an average over
-//   4^l texels, which is off by 1/24 of the second difference over 2^l texels; both together 4^l (1/8 + 1/24).
+// filter: bilinear filtering between values of a function f with second derivatives is off by at most 1/8 of
+// the second
+//   difference along x plus the same along y. An error e of the encoded unit normal is one of e (1 + d^2) in
+//   the slope d, and of e / z = e sqrt(1 + d^2) more where z follows from x and y. At mip level l the texel
+//   is also an average over 4^l texels, which is off by 1/24 of the second difference over 2^l texels; both
+//   together 4^l (1/8 + 1/24).
 // quantisation: half a step of 16 bits over the range -1..1 is 1/65535, in up to three channels.
-// tessellation: a pixel's uv is interpolated over a flat facet and not that of the nearest point of the surface. The
-//   mixed second derivative of P over a quad of angles da x db shifts it by up to da db / 4 times cot(polar angle), below
-//   6 for all but the polar caps of 9.5 degrees (0.7 % of the hemisphere, and foreshortened); the torus' ring bulges by da^2/8 (R + r) / r.
-//   On the coarse cylinder it is the angle of a chord's point against its parameter, u (1 - u^2) (da/2)^3 / 3 at most
-//   0.385 (da/2)^3 / 3. The shift moves the texture by shift / pi of its side (pi radians or more span it).
-//   The torus' interpolated normal is that of a shifted point too, by da db / 4 R / (R - r).
-//   Squashed, vertex normals are made unit again before they are interpolated, which shifts their weights by up to the
-//   anisotropy squared over a quad: db^2 / 8 times that.
-//   mikkTSpace's bitangent is cross(N, T) / |N| of the raw interpolated vectors: |T| = |N| in a quad's middle, so it is short by
-//   1 - |N| = 1 - cos(da / 2). That is the agreed meaning of vertex tangents, not an error of the shader.
-//   Tangents made from the triangles are the mean of three to the left and three to the right of a vertex, whose turns of da / 2
-//   cancel but for the difference of their lengths, da db / 4 times cot(polar angle) again.
-// basis: tangents from uv derivatives are those of the facet: the direction of the facet's horizontal side, in the middle
-//   of da, or for the second uv set of its vertical side, at one end of da; parallel lines turn against each other by up to
-//   da times the sine of the elevation. Facets of the cylinder turn about the vertical alone, which leaves no rotation in
-//   the surface.
-// arithmetic: positions are relative to the camera, with an absolute error of a few units in the last place of the distance;
-//   differences over the smaller of a pixel and a facet's side turn T by the quotient. Everything else is a dozen roundings.
+// tessellation: a pixel's uv is interpolated over a flat facet and not that of the nearest point of the
+// surface. The
+//   mixed second derivative of P over a quad of angles da x db shifts it by up to da db / 4 times cot(polar
+//   angle), below 6 for all but the polar caps of 9.5 degrees (0.7 % of the hemisphere, and foreshortened);
+//   the torus' ring bulges by da^2/8 (R + r) / r. On the coarse cylinder it is the angle of a chord's point
+//   against its parameter, u (1 - u^2) (da/2)^3 / 3 at most 0.385 (da/2)^3 / 3. The shift moves the texture
+//   by shift / pi of its side (pi radians or more span it). The torus' interpolated normal is that of a
+//   shifted point too, by da db / 4 R / (R - r). Squashed, vertex normals are made unit again before they are
+//   interpolated, which shifts their weights by up to the anisotropy squared over a quad: db^2 / 8 times
+//   that. mikkTSpace's bitangent is cross(N, T) / |N| of the raw interpolated vectors: |T| = |N| in a quad's
+//   middle, so it is short by 1 - |N| = 1 - cos(da / 2). That is the agreed meaning of vertex tangents, not
+//   an error of the shader. Tangents made from the triangles are the mean of three to the left and three to
+//   the right of a vertex, whose turns of da / 2 cancel but for the difference of their lengths, da db / 4
+//   times cot(polar angle) again.
+// basis: tangents from uv derivatives are those of the facet: the direction of the facet's horizontal side,
+// in the middle
+//   of da, or for the second uv set of its vertical side, at one end of da; parallel lines turn against each
+//   other by up to da times the sine of the elevation. Facets of the cylinder turn about the vertical alone,
+//   which leaves no rotation in the surface.
+// arithmetic: positions are relative to the camera, with an absolute error of a few units in the last place
+// of the distance;
+//   differences over the smaller of a pixel and a facet's side turn T by the quotient. Everything else is a
+//   dozen roundings.
 Bound bound_of(const Case& c) {
     const Tessellation mesh = tessellation_of(c.shape);
     const bool round = c.shape == Shape::sphere || c.shape == Shape::torus;
@@ -155,7 +171,8 @@ Bound bound_of(const Case& c) {
     if (c.shape == Shape::torus) shift = std::max(shift, mesh.da * mesh.da / 8 * 3.5);
     if (c.shape == Shape::cylinder) shift = 0.385 / 3 * std::pow(mesh.da / 2, 3);
     const Shot shot = shot_of(c);
-    const double distance = glm::distance(shot.from, shot.to), pixel = 2 * std::tan(shot.fov / kDegrees / 2) * distance / kPixels;
+    const double distance = glm::distance(shot.from, shot.to),
+                 pixel = 2 * std::tan(shot.fov / kDegrees / 2) * distance / kPixels;
 
     Bound bound;
     for (const Layer& layer : c.layers) {
@@ -172,7 +189,8 @@ Bound bound_of(const Case& c) {
             continue;
         }
         if (round) bound.basis += size * facts.steepest * mesh.da * (layer.uv == 1 ? 1 : 0.5) * kDegrees;
-        bound.arithmetic += size * facts.steepest * 4 * kUlp * distance / std::min(pixel, mesh.edge) * kDegrees;
+        bound.arithmetic +=
+            size * facts.steepest * 4 * kUlp * distance / std::min(pixel, mesh.edge) * kDegrees;
     }
     if (c.placement == Placement::squashed)
         bound.tessellation += mesh.db * mesh.db / 8 * kWide * kWide / (kHigh * kHigh) * kDegrees;
@@ -205,11 +223,13 @@ const Recipe& recipe_of(const Case& c) {
     material["surface"]["two_sided"] = kSides[static_cast<int>(c.two_sided)];
     for (std::size_t i = 0; i < c.layers.size(); ++i) {
         const Layer& layer = c.layers[i];
-        const std::string name = fmt::format("map{}", i), file = name + (layer.float_texels ? ".exr" : ".png");
-        material["textures"][name] = {{"file", file},
-                                      {"encoding", layer.two_channels ? "tangent_normal_xy" : "tangent_normal"},
-                                      {"green", layer.green_up ? "up" : "down"},
-                                      {"zero", layer.zero}};
+        const std::string name = fmt::format("map{}", i),
+                          file = name + (layer.float_texels ? ".exr" : ".png");
+        material["textures"][name] = {
+            {"file", file},
+            {"encoding", layer.two_channels ? "tangent_normal_xy" : "tangent_normal"},
+            {"green", layer.green_up ? "up" : "down"},
+            {"zero", layer.zero}};
         material["bump"][0]["layers"].push_back({{"kind", "normal_map"},
                                                  {"texture", name},
                                                  {"uv", layer.uv},
@@ -246,7 +266,8 @@ Outcome run_case(const Case& c, const target::ShaderLibrary& library) {
             if (covered(normals, x, y) != covered(positions, x, y)) errors.push_back(180);
             if (!covered(normals, x, y)) continue;
             const glm::dvec3 point(object * glm::dvec4(rgb(positions, x, y) + scene.camera.position, 1));
-            errors.push_back(angle_degrees(rgb(normals, x, y), bumped_normal({c.shape}, bumps, point, side, glm::dmat3(world))));
+            errors.push_back(angle_degrees(rgb(normals, x, y),
+                                           bumped_normal({c.shape}, bumps, point, side, glm::dmat3(world))));
         }
     }
     return {percentiles(std::move(errors)), bound_of(c)};

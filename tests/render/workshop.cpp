@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
     throw std::runtime_error(what + ":\n" + render(diags));
 }
 
-// lavapipe filters 8-bit textures in fixed point with 8-bit weights unless told otherwise; its own variable, read when
-// the driver starts.
+// lavapipe filters 8-bit textures in fixed point with 8-bit weights unless told otherwise; its own variable,
+// read when the driver starts.
 runtime::gpu::Device& device() {
     static runtime::gpu::Device instance = [] {
         ::setenv("GALLIVM_PERF", "no_aos_sampling", 1);
@@ -33,7 +33,9 @@ runtime::gpu::Device& device() {
 
 }  // namespace
 
-std::vector<std::string> validation_messages() { return device().log()->messages(); }
+std::vector<std::string> validation_messages() {
+    return device().log()->messages();
+}
 
 Made make(const Recipe& recipe, const target::ShaderLibrary& library) {
     MemoryFiles files;
@@ -64,8 +66,8 @@ Made make(const Recipe& recipe) {
     return make(recipe, kLibrary);
 }
 
-runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view, std::uint32_t width,
-                      std::uint32_t height) {
+runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view,
+                      std::uint32_t width, std::uint32_t height) {
     Diags diags;
     auto found = runtime::find_view(made.artefact, view, diags);
     if (!found) fail(view, diags);
@@ -106,10 +108,12 @@ bool covered(const runtime::Picture& picture, std::uint32_t x, std::uint32_t y) 
 void show(const runtime::Picture& picture, const std::string& name) {
     const char* folder = std::getenv("SG_RENDER_PICTURES");
     if (!folder) return;
-    asset::Image out = asset::make_image(picture.values.width, picture.values.height, asset::TexelFormat::unorm8);
+    asset::Image out =
+        asset::make_image(picture.values.width, picture.values.height, asset::TexelFormat::unorm8);
     for (std::uint32_t y = 0; y < out.height; ++y) {
         for (std::uint32_t x = 0; x < out.width; ++x) {
-            for (int c = 0; c < 3; ++c) out.set(x, y, c, covered(picture, x, y) ? picture.values.at(x, y, c) * 0.5 + 0.5 : 0.2);
+            for (int c = 0; c < 3; ++c)
+                out.set(x, y, c, covered(picture, x, y) ? picture.values.at(x, y, c) * 0.5 + 0.5 : 0.2);
             out.set(x, y, 3, 1);
         }
     }

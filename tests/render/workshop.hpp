@@ -1,5 +1,5 @@
-// From a material's text to numbers in one process: compile, load, render on one shared device. The device has the
-// validation layers on; validation_test.cpp fails the run if they say anything.
+// From a material's text to numbers in one process: compile, load, render on one shared device. The device
+// has the validation layers on; validation_test.cpp fails the run if they say anything.
 #pragma once
 
 #include <map>
@@ -31,8 +31,8 @@ Made make(const Recipe& recipe, const target::ShaderLibrary& library);
 Made make(const Recipe& recipe);
 
 // Draws a view by name.
-runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view, std::uint32_t width,
-                      std::uint32_t height);
+runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view,
+                      std::uint32_t width, std::uint32_t height);
 
 // Every file of materials/, by path relative to that folder, into a recipe's files.
 std::map<std::string, std::string> sample_files();
@@ -49,7 +49,8 @@ Percentiles percentiles(std::vector<double> values);
 glm::dvec3 rgb(const runtime::Picture& picture, std::uint32_t x, std::uint32_t y);
 bool covered(const runtime::Picture& picture, std::uint32_t x, std::uint32_t y);
 
-// Writes the float picture, mapped from -1..1, as PNG into the folder that SG_RENDER_PICTURES names; nothing without.
+// Writes the float picture, mapped from -1..1, as PNG into the folder that SG_RENDER_PICTURES names; nothing
+// without.
 void show(const runtime::Picture& picture, const std::string& name);
 
 }  // namespace sg::truth
