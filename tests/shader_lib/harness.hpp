@@ -113,6 +113,12 @@ std::vector<float> draw_inputs(const Case& item, std::size_t count);
 bool is_unit(glm::dvec3 v, double tolerance = 1e-5);
 bool is_finite(glm::dvec3 v);
 
+// One list after another.
+inline std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 struct MutantOf {
     Case item;
     Mutant mutant;

@@ -67,7 +67,7 @@ std::string whole_frame(const In& in, const In& out) {
     return tangent ? "" : "sigma is not perpendicular to n";
 }
 
-std::vector<Case> cases() {
+std::vector<Case> plane_cases() {
     return {
         {.name = "facing_normal",
          .include = kFile,
@@ -107,6 +107,11 @@ std::vector<Case> cases() {
                       "across + dot(n, across) * slide, down - dot(n, down) * slide"},
                      {kFile, "vec3 down = clip_w * (", "vec3 down = -clip_w * ("},
                      {kFile, "vec3 across = clip_w * (", "vec3 across = ("}}},
+    };
+}
+
+std::vector<Case> frame_cases() {
+    return {
         {.name = "analytic_derivatives_facing_away",
          .include = kFile,
          .inputs = kInputs,
@@ -153,6 +158,10 @@ std::vector<Case> cases() {
                      {kFile, "sg_reject(d.dpdx, n), sg_reject(d.dpdy, n), sign_dp",
                       "sg_reject(d.dpdy, n), sg_reject(d.dpdx, n), sign_dp"}}},
     };
+}
+
+std::vector<Case> cases() {
+    return joined(plane_cases(), frame_cases());
 }
 
 std::vector<Case> edge_on_cases() {

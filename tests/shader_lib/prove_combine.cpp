@@ -104,7 +104,7 @@ std::vector<Case> gradient_cases() {
 
 constexpr const char* kPutPair = "put(0, pair.first); put(2, pair.second);";
 
-std::vector<Case> normal_cases() {
+std::vector<Case> surveyed_cases() {
     return {
         {.name = "combine_pd",
          .include = kFile,
@@ -149,6 +149,11 @@ std::vector<Case> normal_cases() {
              },
          .bound = {.absolute = 1e-30, .relative = 4 * kUlp},  // a division
          .mutants = {{kFile, "sg_deriv_from_normal_xyz(vec3(b.xy, a.z))", "sg_deriv_from_normal_xyz(b)"}}},
+    };
+}
+
+std::vector<Case> turned_and_summed_cases() {
+    return {
         {.name = "combine_rnm",
          .include = kFile,
          .inputs = 6,
@@ -197,6 +202,10 @@ std::vector<Case> normal_cases() {
                      {kFile, "b.z * a.xy + a.z * b.xy", "a.xy + b.xy"},
                      {kFile, "a.xy + a.z * b.xy, a.z * b.z", "a.xy + a.z * b.xy, a.z"}}},
     };
+}
+
+std::vector<Case> normal_cases() {
+    return joined(surveyed_cases(), turned_and_summed_cases());
 }
 
 SG_PROVE(Combine, gradient_cases());

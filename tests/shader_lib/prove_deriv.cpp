@@ -69,7 +69,7 @@ void draw_derivative(Random& random, Draw& in) {
     in.put(2, random.magnitude(0.25, 128.0));
 }
 
-std::vector<Case> other_cases() {
+std::vector<Case> conversion_cases() {
     return {
         {.name = "deriv_from_normal_xy",
          .include = kFile,
@@ -130,6 +130,11 @@ std::vector<Case> other_cases() {
          .bound = {.absolute = 1e-30,
                    .relative = 10 * kUlp},  // products with one inverse root, which cancels, and a division
          .mutants = {{kFile, "vec3(-d, 1.0)", "vec3(-d.yx, 1.0)"}}},
+    };
+}
+
+std::vector<Case> stored_cases() {
+    return {
         {.name = "deriv_clamped",
          .include = kFile,
          .inputs = 2,
@@ -170,6 +175,10 @@ std::vector<Case> other_cases() {
          .mutants = {{kFile, "clamp(d / range, -1.0, 1.0)", "d / range"},
                      {kFile, "clamp(d / range, -1.0, 1.0)", "clamp(d * range, -1.0, 1.0)"}}},
     };
+}
+
+std::vector<Case> other_cases() {
+    return joined(conversion_cases(), stored_cases());
 }
 
 // Every 8-bit texel and every zero code, not a sample of them.

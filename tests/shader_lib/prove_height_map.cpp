@@ -29,6 +29,15 @@ void draw_sampled_uv(Random& random, Draw& in) {
     in.put(4, random.direction2() * random.magnitude(0.25, 32.0) / size);
 }
 
+// A level of detail within a step of 0.001 of an end of the fade, as often as not.
+void draw_at_the_fade(Random& random, Draw& in) {
+    draw_sampled_uv(random, in);
+    if (random.coin()) return;
+    const double level = (random.coin() ? 0.05 : 0.5) - random.uniform(0.0, 0.002);
+    in.put(2, random.direction2() * std::exp2(level) / glm::dvec2(204.0, 150.0));
+    in.put(4, glm::dvec2(0.0));
+}
+
 // Rounding moves a position of p texels by 2 to 3 u p, and one that repeats by as much as at the far edge;
 // heights in 0..1 change by at most 1 a texel.
 double texels_from_origin(const In& in) {
@@ -77,7 +86,7 @@ std::vector<Case> read_cases() {
     };
 }
 
-std::vector<Case> height_cases() {
+std::vector<Case> plain_height_cases() {
     return {
         {.name = "deriv_from_height_level",
          .include = kFile,
@@ -133,6 +142,11 @@ std::vector<Case> height_cases() {
                      {kFile, "vec4(upper_left.wz, upper_right.wz)", "vec4(upper_left.zw, upper_right.zw)"},
                      {kFile, "vec4(lower_left.wz, lower_right.wz)", "vec4(lower_left.xy, lower_right.xy)"}},
          .textures = {rough()}},
+    };
+}
+
+std::vector<Case> fine_height_cases() {
+    return {
         {.name = "deriv_from_height_hq",
          .include = kFile,
          .inputs = 6,
@@ -158,7 +172,7 @@ std::vector<Case> height_cases() {
                  "; SgUv wider = SgUv(uv.st, exp2(0.001) * uv.dx, exp2(0.001) * uv.dy);"
                  "put(0, sg_deriv_from_height_hq(image_0, sampler_0, wider) - "
                  "sg_deriv_from_height_hq(image_0, sampler_0, uv));",
-         .draw = draw_sampled_uv,
+         .draw = draw_at_the_fade,
          .reference = [](const In&, Expect& out) { out.put(0, glm::dvec2(0.0)); },
          // The fade changes by 0.001 / 0.45 between two values in -1..1; a step and its levels by 0.001 of
          // such.
@@ -169,6 +183,10 @@ std::vector<Case> height_cases() {
                       "return level < SG_HEIGHT_FADE_END ? 1.0 : 0.0;"}},
          .textures = {rough()}},
     };
+}
+
+std::vector<Case> height_cases() {
+    return joined(plain_height_cases(), fine_height_cases());
 }
 
 std::vector<Case> arithmetic_cases() {

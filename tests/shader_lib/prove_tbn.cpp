@@ -49,7 +49,7 @@ glm::dvec3 draw_normal(Random& random) {
     return {random.direction2() * std::sin(random.uniform(0.0, 1.4)), 0.0};
 }
 
-std::vector<Case> basis_cases() {
+std::vector<Case> made_basis_cases() {
     return {
         {.name = "basis_vertex",
          .include = kFile,
@@ -90,6 +90,11 @@ std::vector<Case> basis_cases() {
                      {kFile, "sign_det * frame.flip_sign * cross", "frame.flip_sign * cross"},
                      {kFile, "sign_det * frame.flip_sign * cross", "sign_det * cross"},
                      {kFile, "vec3 along_s = sign_det * (", "vec3 along_s = ("}}},
+    };
+}
+
+std::vector<Case> changed_basis_cases() {
+    return {
         {.name = "basis_resolved",
          .include = kFile,
          .inputs = 18,
@@ -148,6 +153,10 @@ std::vector<Case> basis_cases() {
                      {kFile, "scale.y < 0.0 ? -basis.bitangent : basis.bitangent",
                       "scale.x < 0.0 ? -basis.bitangent : basis.bitangent"}}},
     };
+}
+
+std::vector<Case> basis_cases() {
+    return joined(made_basis_cases(), changed_basis_cases());
 }
 
 const std::string kGradientUv = kBasisUv + "vec3 g = sg_surfgrad_from_tbn(v2(15), basis);";
