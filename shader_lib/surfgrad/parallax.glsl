@@ -2,8 +2,8 @@
 // Welsh 2004; Brawley and Tatarchuk 2005; Lengyel 2019, section 7.7. The directions towards the viewer are parameters:
 // normalize(-position) for a perspective camera, a constant for an orthographic one.
 //
-// Heights: a texel v means that the surface lies bias + scale * v along n, in world units: `heights` = (scale, bias), where
-// scale = strength and bias = -strength * zero_level (1 carves below the mesh; 1/2 for parallax maps).
+// Heights: a texel v means that the surface lies bias + scale * v along n, in world units: `heights` = (scale, bias),
+// where scale = strength and bias = -strength * zero_level (1 carves below the mesh; 1/2 for parallax maps).
 #ifndef SG_PARALLAX
 #define SG_PARALLAX
 
@@ -22,7 +22,7 @@ struct SgParallax {
 //   frame: of the mesh; uv: its coordinate; direction: shading space, any length (towards the viewer: unit).
 // Result: xy: change of st along the direction's part in the plane of (dpdx, dpdy); z: its part along n. Linear in
 // direction; true to sheared and stretched coordinates. Edge-on, where dpdx and dpdy span no area, xy = 0.
-// Cost: about 35 instructions. Source: Listing 11.
+// Cost: about 45 instructions. Source: Listing 11.
 vec3 sg_parallax_direction(SgFrame frame, SgUv uv, vec3 direction) {
     vec3 r1 = cross(frame.dpdy, frame.normal);
     vec3 r2 = cross(frame.normal, frame.dpdx);
@@ -40,10 +40,11 @@ vec2 sg_parallax_offset(vec3 view, float height) { return height * view.xy; }
 
 // What k steps with a parallax map multiply the unit tangent-space view by.
 //   scale: the height of value 1 in texels, as the map was made with; steps: k >= 1; dim: texels of the map.
-// Result: s / (2 k r), per axis. Cost: 3 instructions. Source: Lengyel, Eq 7.52.
+// Result: s / (2 k r), per axis. Cost: 6 instructions. Source: Lengyel, Eq 7.52.
 vec2 sg_parallax_scale(float scale, int steps, vec2 dim) { return scale / (2.0 * float(max(steps, 1)) * dim); }
 
-// k steps with a parallax map, which stores n_z (2h - 1) so that each step goes to the tangent plane of the surface found.
+// k steps with a parallax map, which stores n_z (2h - 1) so that each step goes to the tangent plane of the surface
+// found.
 //   map: red; decode: signed value = decode.x * texel + decode.y ((1, 0) for signed formats, (2, -1) for unsigned);
 //   uv: of the mesh; stride: offset of st for the value 1, per step: view.xy times sg_parallax_scale, or
 //   view.xy * strength / (2 k) with view of sg_parallax_direction; steps: k, 0 to 64.
@@ -66,8 +67,9 @@ float sg_parallax_height(texture2D map, sampler filtering, vec2 heights, vec2 st
 // The first point of the displaced surface along the ray from the eye.
 //   map: red is the height; heights: above; st: of the mesh; view: of sg_parallax_direction, towards the viewer;
 //   level: of detail, taken before the offset (sg_uv_level of the mesh's coordinate); steps: 1 to 256.
-// Result: offset of st and height of the hit, refined linearly between the last two steps; a view at or below the horizon
-// counts as SG_PARALLAX_MIN_COSINE above it; without a hit (NaN texels) the bottom. Finite for finite arguments.
+// Result: offset of st and height of the hit, refined linearly between the last two steps; a view at or below the
+// horizon counts as SG_PARALLAX_MIN_COSINE above it; without a hit (NaN texels) the bottom. Finite for finite
+// arguments.
 // Cost: one texture read and about 8 instructions per step, 30 more. Source: Brawley and Tatarchuk 2005; Listing 11.
 SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights, vec2 st, vec3 view, float level,
                                  int steps) {
@@ -91,8 +93,9 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
 }
 
 // How many pixels away the mesh has the coordinate that an offset leads to.
-//   uv: of the mesh; offset: of st. Result: (right, down) in pixels; linear in offset; 0 where the coordinate is degenerate
-//   (|det| <= 1e-6 |dx||dy|). Cost: about 20 instructions. Source: Listing 12, first half.
+//   uv: of the mesh; offset: of st.
+//   Result: (right, down) in pixels; linear in offset; 0 where the coordinate is degenerate
+//   (|det| <= 1e-6 |dx||dy|). Cost: about 19 instructions. Source: Listing 12, first half.
 vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));
@@ -102,14 +105,15 @@ vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
 
 // The corrected position.
 //   frame: of the mesh; pixels: of sg_parallax_pixels; height: along n, world units.
-// Result: shading space; moving by st along the mesh and by height along n. Cost: 9 instructions. Source: Listing 12.
+// Result: shading space; moving by st along the mesh and by height along n. Cost: 6 instructions. Source: Listing 12.
 vec3 sg_parallax_position(SgFrame frame, vec2 pixels, float height) {
     return frame.position + pixels.x * frame.sigma_x + pixels.y * frame.sigma_y + height * frame.normal;
 }
 
 // The base normal at the corrected position of a curved mesh.
 //   n: unit; dndx, dndy: its screen derivatives; pixels: of sg_parallax_pixels.
-// Result: unit; n itself where the correction leaves nothing to normalise. Cost: about 14 instructions. Source: section 4.3.
+// Result: unit; n itself where the correction leaves nothing to normalise.
+// Cost: about 17 instructions. Source: section 4.3.
 vec3 sg_parallax_normal(vec3 n, vec3 dndx, vec3 dndy, vec2 pixels) {
     vec3 moved = n + pixels.x * dndx + pixels.y * dndy;
     float square = dot(moved, moved);
@@ -118,13 +122,14 @@ vec3 sg_parallax_normal(vec3 n, vec3 dndx, vec3 dndy, vec2 pixels) {
 }
 
 // The coordinate for the mesh's other images: moved, its derivatives as they were.
-//   uv: of the mesh; offset: of st. Result: neighbouring pixels' hits take no part. Cost: 2 instructions. Source: section 4.3.
+//   uv: of the mesh; offset: of st. Result: neighbouring pixels' hits take no part.
+//   Cost: 2 instructions. Source: section 4.3.
 SgUv sg_parallax_uv(SgUv uv, vec2 offset) { return SgUv(uv.st + offset, uv.dx, uv.dy); }
 
 // The coordinate for detail on the moved surface: any uv set, with the level of detail that the surface has there.
 //   frame, uv: of the mesh, uv of the wanted set; pixels: of sg_parallax_pixels (of the set that was marched);
 //   dpdx, dpdy: of the moved surface, analytic, its steps measured along the mesh.
-// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: about 70 instructions.
+// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: about 61 instructions.
 // Source: sections 3.7 and 4.6.
 SgUv sg_parallax_detail_uv(SgFrame frame, SgUv uv, vec2 pixels, vec3 dpdx, vec3 dpdy) {
     vec2 st = uv.st + pixels.x * uv.dx + pixels.y * uv.dy;

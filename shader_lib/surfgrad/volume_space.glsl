@@ -8,7 +8,7 @@
 //   world_from_object: the upper 3x3 of the instance's matrix; gradient: world units of height per object unit.
 // Result: world units of height per world unit; linear in gradient; dot(result, M v) = dot(gradient, v). Zero for a
 // matrix that flattens (|det| <= 1e-6 |a||b||c|), where no gradient exists.
-// Cost: about 40 instructions, most of them the same for every pixel.
+// Cost: about 50 instructions, most of them the same for every pixel.
 vec3 sg_gradient_to_world(mat3 world_from_object, vec3 gradient) {
     vec3 a = world_from_object[0], b = world_from_object[1], c = world_from_object[2];
     vec3 bc = cross(b, c);
