@@ -16,12 +16,12 @@ vec3 sg_combine_scale(vec3 g, float strength) { return strength * g; }
 
 // A bump under a mask.
 //   g: surface gradient; mask: 0..1. Result: mask * g; exactly 0 where the mask is 0 (or not a number), even if g is
-//   endless or not a number there. Cost: 5 instructions.
+//   endless or not a number there. Cost: 7 instructions.
 vec3 sg_combine_mask(vec3 g, float mask) { return mask > 0.0 ? mask * g : vec3(0.0); }
 
 // From one bump to another.
 //   a, b: surface gradients of one frame; t: 0..1, values outside count as the nearer end.
-// Result: linear between; exactly a at 0 and b at 1, whatever the other is there. Cost: about 10 instructions.
+// Result: linear between; exactly a at 0 and b at 1, whatever the other is there. Cost: about 17 instructions.
 vec3 sg_combine_mix(vec3 a, vec3 b, float t) {
     vec3 between = a * (1.0 - t) + b * t;
     vec3 upper = t < 1.0 ? between : b;
@@ -35,20 +35,20 @@ struct SgDerivPair {
 };
 
 // "Partial derivatives": the sum of the bumps of two tangent-space normals.
-//   a, b: any length, z > 0. Result: unit; commutative. Cost: about 22 instructions. Source: section 4.2.
+//   a, b: any length, z > 0. Result: unit; commutative. Cost: about 26 instructions. Source: section 4.2.
 vec3 sg_combine_pd(vec3 a, vec3 b) {
     return sg_normal_from_deriv(sg_deriv_from_normal_xyz(a) + sg_deriv_from_normal_xyz(b));
 }
 
 // "Whiteout": normalize(a.x + b.x, a.y + b.y, a.z b.z), as two derivatives that may belong to two uv sets.
-//   a, b: unit, z > 0. Result: each component within 128. Cost: about 18 instructions. Source: Table 1.
+//   a, b: unit, z > 0. Result: each component within 128. Cost: about 23 instructions. Source: Table 1.
 SgDerivPair sg_combine_whiteout(vec3 a, vec3 b) {
     float z = a.z * b.z;
     return SgDerivPair(sg_deriv_from_normal_xyz(vec3(a.xy, z)), sg_deriv_from_normal_xyz(vec3(b.xy, z)));
 }
 
 // "UDN": normalize(a.x + b.x, a.y + b.y, a.z), as two derivatives that may belong to two uv sets.
-//   a, b: unit, z > 0; b flattens where a is steep. Result: each component within 128. Cost: about 17 instructions.
+//   a, b: unit, z > 0; b flattens where a is steep. Result: each component within 128. Cost: about 22 instructions.
 //   Source: Table 1.
 SgDerivPair sg_combine_udn(vec3 a, vec3 b) {
     return SgDerivPair(sg_deriv_from_normal_xyz(a), sg_deriv_from_normal_xyz(vec3(b.xy, a.z)));
@@ -64,14 +64,14 @@ vec3 sg_combine_rnm(vec3 a, vec3 b) {
 }
 
 // The normal of the weighted sum of two heights.
-//   a, b: any length, z > 0; weights: of a and b, any. Result: unit, z > 0. Cost: about 24 instructions.
+//   a, b: any length, z > 0; weights: of a and b, any. Result: unit, z > 0. Cost: about 29 instructions.
 //   Source: Lengyel 7.46.
 vec3 sg_combine_weighted(vec3 a, vec3 b, vec2 weights) {
     return sg_normal_from_deriv(weights.x * sg_deriv_from_normal_xyz(a) + weights.y * sg_deriv_from_normal_xyz(b));
 }
 
 // The normal of the sum of two heights, without a division.
-//   a, b: any length; z >= 0. Result: unit, z >= 0; (0, 0, 1) where both are exactly level. Cost: about 14 instructions.
+//   a, b: any length; z >= 0. Result: unit, z >= 0; (0, 0, 1) where both are exactly level. Cost: about 17 instructions.
 //   Source: Lengyel 7.47.
 vec3 sg_combine_additive(vec3 a, vec3 b) {
     vec3 sum = vec3(b.z * a.xy + a.z * b.xy, a.z * b.z);

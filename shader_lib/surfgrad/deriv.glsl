@@ -27,7 +27,7 @@ vec2 sg_deriv_from_normal_xyz(vec3 m) {
 
 // The derivative of a tangent-space normal of which x and y are stored (BC5), green down.
 //   m: in -1..1 after the remap; over-long vectors are taken as steepest.
-// Result: each component within SG_MAX_SLOPE. Cost: about 6 instructions. Source: Eq 16, with the guard at 1/128^2.
+// Result: each component within SG_MAX_SLOPE. Cost: 8 instructions. Source: Eq 16, with the guard at 1/128^2.
 vec2 sg_deriv_from_normal_xy(vec2 m) {
     return -m * inversesqrt(max(1.0 - dot(m, m), 1.0 / (SG_MAX_SLOPE * SG_MAX_SLOPE)));
 }
@@ -37,12 +37,12 @@ vec2 sg_deriv_from_normal_xy(vec2 m) {
 vec2 sg_deriv_green_up(vec2 d) { return vec2(d.x, -d.y); }
 
 // The tangent-space normal of a derivative, green down: the inverse of sg_deriv_from_normal_xyz.
-//   d: each component within SG_MAX_SLOPE. Result: unit, z > 0. Cost: about 6 instructions. Source: Eq 12.
+//   d: each component within SG_MAX_SLOPE. Result: unit, z > 0. Cost: 4 instructions. Source: Eq 12.
 vec3 sg_normal_from_deriv(vec2 d) { return normalize(vec3(-d, 1.0)); }
 
 // A derivative that any later step can bear, as before it is stored in 16 bits.
 //   d: anything. Result: each component within SG_MAX_SLOPE; what is not a number counts as flat.
-// Cost: about 6 instructions.
+// Cost: 8 instructions.
 vec2 sg_deriv_clamped(vec2 d) {
     // The comparison is false for not-a-number, and only then (0 takes the other branch).
     bvec2 number = greaterThanEqual(abs(d), vec2(0.0));

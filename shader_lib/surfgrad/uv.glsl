@@ -11,7 +11,7 @@ struct SgUv {
 
 // Tiling.
 //   uv: any; scale: repeats of the texture per unit; negative values mirror. Result: derivatives scale alike.
-// Cost: 6 instructions.
+// Cost: 9 instructions.
 SgUv sg_uv_scale(SgUv uv, vec2 scale) { return SgUv(uv.st * scale, uv.dx * scale, uv.dy * scale); }
 
 // Tiling, then a turn about the origin, then an offset: st' = R (scale st) + offset.
@@ -27,7 +27,7 @@ SgUv sg_uv_transform(SgUv uv, vec2 scale, float rotation, vec2 offset) {
 
 // The isotropic level of detail at which a pixel is one texel large.
 //   uv: with derivatives; dim: texels per unit at level 0. Result: below 0 under magnification, -40 where the
-//   coordinate does not change. Cost: about 10 instructions. Source: the level rule of Vulkan and OpenGL.
+//   coordinate does not change. Cost: about 13 instructions. Source: the level rule of Vulkan and OpenGL.
 float sg_uv_level(SgUv uv, vec2 dim) {
     vec2 across = dim * uv.dx;
     vec2 down = dim * uv.dy;

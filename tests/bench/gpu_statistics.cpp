@@ -47,10 +47,12 @@ VkDevice make_device(VkInstance instance) {
 }
 
 VkPipelineLayout make_layout(VkDevice device) {
-    std::array<VkDescriptorSetLayoutBinding, 3> bindings{};
+    constexpr std::array kKinds = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                   VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+                                   VK_DESCRIPTOR_TYPE_SAMPLER};
+    std::array<VkDescriptorSetLayoutBinding, kKinds.size()> bindings{};
     for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-        const auto kind = i < 2 ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-        bindings[i] = {i, kind, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+        bindings[i] = {i, kKinds[i], 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
     }
     VkDescriptorSetLayoutCreateInfo set{};
     set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;

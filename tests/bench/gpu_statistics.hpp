@@ -12,7 +12,8 @@ struct GpuStatistics {
     std::uint64_t inverse_throughput = 0;  // the compiler's estimate, cycles
 };
 
-// A compute shader (entry "main"; one descriptor set: binding 0 and 1 storage buffers, 2 a uniform block).
+// A compute shader (entry "main"; one descriptor set: binding 0 and 1 storage buffers, 2 a uniform block,
+// 3 a texture2D, 4 a sampler; it need not use them all).
 // Wants the environment kGpuEnvironment from the start of the process; empty where that driver is missing or
 // refuses.
 std::optional<GpuStatistics> gpu_statistics(std::span<const std::uint32_t> words);

@@ -127,9 +127,11 @@ Verdict judge(const Case& item, const In& in, std::span<const float> out, std::v
 
 std::uint64_t run_seed() {
     static const std::uint64_t seed = [] {
-        const char* given = std::getenv("SG_SEED");
-        std::uint64_t value = given ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+        if (const char* given = std::getenv("SG_SEED"))
+            return std::uint64_t{std::strtoull(given, nullptr, 10)};
+        const std::uint64_t value = std::random_device{}();
         std::cout << "SG_SEED=" << value << std::endl;
+        setenv("SG_SEED", std::to_string(value).c_str(), 1);  // the children of death tests draw the same
         return value;
     }();
     return seed;
