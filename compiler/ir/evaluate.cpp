@@ -21,7 +21,9 @@ struct Lister {
     void operator()(const glm::vec<N, double>& v) {
         for (int i = 0; i < N; ++i) out.push_back(v[i]);
     }
-    void operator()(const ref::Frame& f) { list(f.position, f.normal, f.dpdx, f.dpdy, f.sigma_x, f.sigma_y, f.flip_sign); }
+    void operator()(const ref::Frame& f) {
+        list(f.position, f.normal, f.dpdx, f.dpdy, f.sigma_x, f.sigma_y, f.flip_sign);
+    }
     void operator()(const ref::Uv& uv) { list(uv.st, uv.dx, uv.dy); }
     void operator()(const ref::Basis& basis) { list(basis.tangent, basis.bitangent); }
 
@@ -31,7 +33,8 @@ struct Lister {
     }
 };
 
-// A mirrored coordinate is the same as a clamped one after folding: the texel beyond the edge is the edge's own.
+// A mirrored coordinate is the same as a clamped one after folding: the texel beyond the edge is the edge's
+// own.
 double folded(double x) {
     const double phase = x - 2.0 * std::floor(x / 2.0);
     return phase < 1.0 ? phase : 2.0 - phase;
@@ -56,7 +59,8 @@ dvec4 Sampled::at(const ref::Uv& uv) const {
     const double last = texels->levels() - 1;
     double level = std::clamp(ref::uv_level(uv, dvec2(texels->size(0))) + lod_bias, 0.0, last);
     if (mips == Mips::none) level = 0.0;
-    if (mips == Mips::nearest) level = std::ceil(level + 0.5) - 1.0;  // halves go to the finer level, as Vulkan asks
+    if (mips == Mips::nearest)
+        level = std::ceil(level + 0.5) - 1.0;  // halves go to the finer level, as Vulkan asks
     if (linear) return ref::sample_lod(*texels, sampler, st, level);
     auto nearest = [&](int at) {
         const glm::ivec2 texel(glm::floor(st * dvec2(texels->size(at))));
@@ -82,7 +86,8 @@ Datum datum_of(Type type, const std::array<double, 4>& number) {
     }
 }
 
-Evaluator::Evaluator(const Module& module, Bindings bindings) : module_(module), bindings_(std::move(bindings)) {
+Evaluator::Evaluator(const Module& module, Bindings bindings)
+    : module_(module), bindings_(std::move(bindings)) {
     SG_ASSERT(bindings_.textures.size() == module.textures.size());
     SG_ASSERT(bindings_.parameters.size() == module.parameters.size());
     for (std::size_t i = 0; i < module.parameters.size(); ++i) {

@@ -1,5 +1,6 @@
-// The interpreter: runs any module in double precision on the mathematics of ir/reference/, which shares no code with
-// the GLSL library. It is the oracle for whole materials and for the optimiser. Cost: linear in the module.
+// The interpreter: runs any module in double precision on the mathematics of ir/reference/, which shares no
+// code with the GLSL library. It is the oracle for whole materials and for the optimiser. Cost: linear in the
+// module.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@
 
 namespace sg::ir {
 
-// What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL column.
+// What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL
+// column.
 using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis>;
 inline constexpr std::array<std::string_view, std::variant_size_v<Datum>> kDatumGlsl = {
     "float", "vec2", "vec3", "vec4", "SgFrame", "SgUv", "SgBasis"};
@@ -25,7 +27,7 @@ std::vector<double> components(const Datum& datum);
 
 // What the vertex stage and the frame hand to one pixel. Conventions: compiler/artefacts.md.
 struct PixelInputs {
-    ref::dvec3 position{0.0};                // relative world space
+    ref::dvec3 position{0.0};                 // relative world space
     ref::dvec3 vertex_normal{0.0, 0.0, 1.0};  // as interpolated
     ref::dvec4 vertex_tangent{1.0, 0.0, 0.0, 1.0};
     std::array<ref::Uv, 8> uvs{};

@@ -1,10 +1,11 @@
 // Operation -> function in double precision: ONE table, one row per operation of ops.def.
 //
-// To add a row: {Op::name, function}. The function is one of sg::ref, or a lambda without captures around it; operands
-// are unpacked by its parameter types. If its first parameter is `const Call&` it also sees the pixel's inputs, the
-// attribute (c.texture(), c.zero(), c.value.index, c.value.number) and the bindings. A new struct type becomes one
-// more alternative of Datum, one name of kDatumGlsl and one line of components(). tests/oracle walks ops.def and fails
-// naming an operation without a row, or one whose widths differ from types.def.
+// To add a row: {Op::name, function}. The function is one of sg::ref, or a lambda without captures around it;
+// operands are unpacked by its parameter types. If its first parameter is `const Call&` it also sees the
+// pixel's inputs, the attribute (c.texture(), c.zero(), c.value.index, c.value.number) and the bindings. A
+// new struct type becomes one more alternative of Datum, one name of kDatumGlsl and one line of components().
+// tests/oracle walks ops.def and fails naming an operation without a row, or one whose widths differ from
+// types.def.
 #include "ir/evaluate_ops.hpp"
 
 #include <type_traits>
@@ -79,7 +80,8 @@ const std::vector<EvaluateRow>& rows() {
         // frame
         Row{Op::base_normal, ref::base_normal},
         Row{Op::mirror_normal, ref::mirror_normal},
-        Row{Op::frame, [](const Call& c, dvec3 p, dvec3 n) { return ref::frame(p, c.pixel.dpdx, c.pixel.dpdy, n); }},
+        Row{Op::frame,
+            [](const Call& c, dvec3 p, dvec3 n) { return ref::frame(p, c.pixel.dpdx, c.pixel.dpdy, n); }},
         Row{Op::basis_vertex, ref::basis_vertex},
         Row{Op::basis_uv, ref::basis_uv},
         Row{Op::basis_mirror, ref::basis_mirror},

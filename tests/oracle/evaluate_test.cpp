@@ -49,8 +49,10 @@ TEST(Evaluate, OneModuleByHand) {
         "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n%2 = position : Position\n"
         "%3 = frame %2 %1 : Frame\n%4 = uv_set 2 : Uv\n%5 = constant -3 2 : Vec2\n%6 = uv_scale %4 %5 : Uv\n"
         "%7 = sample 0 %6 : Texel\n%8 = decode_normal_xyz 127.5 %7 : TangentNormal\n"
-        "%9 = deriv_from_normal_xyz %8 : Deriv\n%10 = parameter 0 : Scalar\n%11 = scale_deriv %10 %9 : Deriv\n"
-        "%12 = basis_uv %3 %6 : Basis\n%13 = surfgrad_from_tbn %11 %12 : SurfGrad\n%14 = resolve %1 %13 : Normal\n"
+        "%9 = deriv_from_normal_xyz %8 : Deriv\n%10 = parameter 0 : Scalar\n%11 = scale_deriv %10 %9 : "
+        "Deriv\n"
+        "%12 = basis_uv %3 %6 : Basis\n%13 = surfgrad_from_tbn %11 %12 : SurfGrad\n%14 = resolve %1 %13 : "
+        "Normal\n"
         "output normal = %14\noutput gradient = %13\noutput uv 2 = %6\n",
         fault);
     ASSERT_TRUE(module) << fault;
@@ -66,7 +68,8 @@ TEST(Evaluate, OneModuleByHand) {
     EXPECT_EQ(uv.st, ref::dvec2(-0.75, 1.0));
     EXPECT_EQ(uv.dy, ref::dvec2(0.0, 0.02));
     // +s runs towards -x; d.x = -0.75 doubled along T = (-1, 0, 0).
-    EXPECT_LT(glm::length(std::get<ref::dvec3>(evaluator.output(Output::gradient)) - ref::dvec3(1.5, 0, 0)), 1e-14);
+    EXPECT_LT(glm::length(std::get<ref::dvec3>(evaluator.output(Output::gradient)) - ref::dvec3(1.5, 0, 0)),
+              1e-14);
     const ref::dvec3 normal = glm::normalize(ref::dvec3(-1.5, 0, 1));
     EXPECT_LT(glm::length(std::get<ref::dvec3>(evaluator.output(Output::normal)) - normal), 1e-14);
 }
@@ -106,7 +109,8 @@ TEST(Evaluate, SamplersChooseTheirLevel) {
     const ref::MemoryTexture texture = ramp();
     auto at = [&](Sampled::Mips mips, double texels, double bias) {
         Sampled sampled{.texels = &texture, .mips = mips, .lod_bias = bias};
-        return sampled.at({{0.125, 0.5}, {0, 0}, {texels / 4, 0}}).x;  // 0 on level 0; 0.75 from 2.5 and 0.5 on level 1
+        return sampled.at({{0.125, 0.5}, {0, 0}, {texels / 4, 0}})
+            .x;  // 0 on level 0; 0.75 from 2.5 and 0.5 on level 1
     };
     const double coarse = 0.75 * 0.5 + 0.25 * 2.5;
     using enum Sampled::Mips;

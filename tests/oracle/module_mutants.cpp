@@ -14,7 +14,8 @@ using ir::ValueId;
 bool forward(Module& module, const ir::Value& value, std::size_t operand) {
     const auto self = static_cast<std::uint32_t>(&value - module.values.data());
     const ValueId instead = value.operands[operand];
-    for (ir::Value& user : module.values) std::replace(user.operands.begin(), user.operands.end(), ValueId{self}, instead);
+    for (ir::Value& user : module.values)
+        std::replace(user.operands.begin(), user.operands.end(), ValueId{self}, instead);
     for (ir::OutputBinding& output : module.outputs) {
         if (output.value == ValueId{self}) output.value = instead;
     }

@@ -15,8 +15,8 @@ struct ModuleMutant {
 };
 std::span<const ModuleMutant> all_module_mutants();
 
-// At the last place where it applies: what is near the outputs is not hidden behind other values. False if there is
-// none.
+// At the last place where it applies: what is near the outputs is not hidden behind other values. False if
+// there is none.
 bool apply_last(const ModuleMutant& mutant, ir::Module& module);
 
 }  // namespace sg::oracle

@@ -1,5 +1,5 @@
-// What the optimiser may not change: random modules mean the same before and after, with all rules and without each in
-// turn. The same comparison notices rewrites that are wrong.
+// What the optimiser may not change: random modules mean the same before and after, with all rules and
+// without each in turn. The same comparison notices rewrites that are wrong.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -39,12 +39,13 @@ Subject make_subject(std::uint64_t index) {
 }
 
 ir::Bindings bindings_of(const Subject& subject) {
-    return {{{.texels = &subject.textures[0]}, {.texels = &subject.textures[1], .wrap_s = ir::Sampled::Wrap::mirror}},
+    return {{{.texels = &subject.textures[0]},
+             {.texels = &subject.textures[1], .wrap_s = ir::Sampled::Wrap::mirror}},
             subject.made.parameters};
 }
 
-// The largest component of any derivative or gradient: sums of terms of this size carry its rounding, however small
-// the sum. Never below 1, the size of a normal.
+// The largest component of any derivative or gradient: sums of terms of this size carry its rounding, however
+// small the sum. Never below 1, the size of a normal.
 double largest_term(const Module& module, const std::vector<ir::Datum>& values) {
     double largest = 1.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -55,8 +56,8 @@ double largest_term(const Module& module, const std::vector<ir::Datum>& values) 
     return largest;
 }
 
-// The largest difference of any output that `after` still has, in units of the largest term; infinite where one of the
-// two is not a number.
+// The largest difference of any output that `after` still has, in units of the largest term; infinite where
+// one of the two is not a number.
 double difference(const Subject& subject, const Module& before, const Module& after) {
     ir::Evaluator first(before, bindings_of(subject)), second(after, bindings_of(subject));
     double worst = 0.0;
@@ -99,8 +100,10 @@ TEST(OptimiserMeaning, StaysWithAllRulesAndWithoutEach) {
         auto check = [&](const Module& after, std::string_view skipped) {
             const double apart = difference(subject, before, after);
             worst = std::max(worst, apart);
-            ASSERT_LE(apart, kEqual) << "module " << i << " without rule '" << skipped << "', SG_SEED=" << run_seed() << "\n"
-                                     << ir::print(before) << "\nbecomes\n" << ir::print(after);
+            ASSERT_LE(apart, kEqual) << "module " << i << " without rule '" << skipped
+                                     << "', SG_SEED=" << run_seed() << "\n"
+                                     << ir::print(before) << "\nbecomes\n"
+                                     << ir::print(after);
         };
         ASSERT_NO_FATAL_FAILURE(check(all, ""));
         for (const opt::Rule& rule : opt::all_rules()) {
@@ -132,8 +135,8 @@ TEST(OptimiserMeaning, WrongRewritesAreNoticed) {
             if (difference(subject, subject.made.module, wrong) > kEqual) ++noticed;
         }
     }
-    // Not every change means something: a parameter may be 1, a gradient that is scaled may be zero, so may a factor
-    // behind it. That many modules notice is enough.
+    // Not every change means something: a parameter may be 1, a gradient that is scaled may be zero, so may a
+    // factor behind it. That many modules notice is enough.
     for (const ModuleMutant& mutant : all_module_mutants()) {
         const auto [times, noticed] = counts[mutant.name];
         fmt::print("  {:44} noticed in {} of {} modules\n", mutant.name, noticed, times);

@@ -22,7 +22,8 @@ public:
 
     RandomModule make() {
         out_.module.name = "random";
-        out_.module.textures = {{"xyz", ir::TextureEncoding::tangent_normal}, {"xy", ir::TextureEncoding::tangent_normal_xy}};
+        out_.module.textures = {{"xyz", ir::TextureEncoding::tangent_normal},
+                                {"xy", ir::TextureEncoding::tangent_normal_xy}};
         for (Type type : {Type::Scalar, Type::Vec2, Type::Vec3, Type::Vec4, Type::Color}) {
             out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
             out_.parameters.push_back(ir::datum_of(type, numbers()));
@@ -40,7 +41,9 @@ public:
     }
 
 private:
-    std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+    std::size_t below(std::size_t count) {
+        return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+    }
 
     // Numbers that rules look for, and others; small, so that chains of factors stay within reason.
     double number() {
@@ -65,7 +68,8 @@ private:
             value.operands.push_back(pick(by_type_[type]));
         }
         constexpr double kZeros[] = {127, 127.5, 128};
-        constexpr Type kConstants[] = {Type::Scalar, Type::Scalar, Type::Vec2, Type::Vec2, Type::Vec3, Type::Vec4};
+        constexpr Type kConstants[] = {Type::Scalar, Type::Scalar, Type::Vec2,
+                                       Type::Vec2,   Type::Vec3,   Type::Vec4};
         switch (op.attribute) {
             case ir::Attribute::Set:
                 value.index = static_cast<std::uint32_t>(below(kSets));

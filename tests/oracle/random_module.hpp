@@ -1,4 +1,5 @@
-// Random modules: any operation of ops.def on operands of its types, so that new rows take part by themselves.
+// Random modules: any operation of ops.def on operands of its types, so that new rows take part by
+// themselves.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,8 @@ namespace sg::oracle {
 std::uint64_t run_seed();
 
 struct RandomModule {
-    ir::Module module;                        // verifies; has every output that its values allow
-    std::vector<ir::Datum> parameters;        // by ParameterId
+    ir::Module module;                  // verifies; has every output that its values allow
+    std::vector<ir::Datum> parameters;  // by ParameterId
 };
 RandomModule random_module(std::mt19937_64& random);
 

@@ -1,0 +1,194 @@
+// How far rounding may bring a render from the interpreter.
+//
+// Backward error: what a few roundings make of a sum of products, a quotient or a root is what exact
+// arithmetic makes of operands that are a few roundings off. So each input of the pixel is moved by as many
+// roundings as the operations that read it have, in each component and by that share of the whole vector (the
+// cross terms of a 2x2 inverse or of a rejection mix the components); the interpreter says what each move is
+// worth in degrees, and the bound is the sum.
+//   vectors (normal, tangent, position, dpdx, dpdy, uv derivatives): 8 roundings, of at most 8 operations in
+//     a row in base_normal, frame and basis_*.
+//   coordinates: 4 roundings of the length of (s, t), at least of 1: the scaling, the product with the
+//     texture's size, the half texel, and the fold or wrap.
+//   texels: 8 roundings of 1 in each channel: three lerps with two roundings each, the conversion from 8 or
+//     16 bits, and the product with 255 in the decoding.
+//   level of detail: lavapipe takes log2(2^e (1 + m)) as e + m, at most 0.0861 too small (m = 1/ln 2 - 1), of
+//     the squared footprint: half of that too small. Exact drivers lie within. Worth nothing with the first
+//     level alone.
+//   what remains (scales, sums, the resolve): 16 roundings of the largest derivative or gradient, as an
+//     angle.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "tests/oracle/material_oracle.hpp"
+
+namespace sg::oracle {
+namespace {
+
+using ir::PixelInputs;
+using ref::dvec3;
+
+constexpr double kDegrees = 180 / 3.141592653589793;
+constexpr double kRounding = 0x1p-24;  // of fp32, relative
+
+constexpr double kVectors = 8 * kRounding, kCoordinates = 4 * kRounding, kTexels = 8 * kRounding,
+                 kRest = 16 * kRounding;
+constexpr double kLod = 0.0431;
+
+// A texture with one channel raised.
+struct Raised : ref::TextureSource {
+    const ref::TextureSource* base = nullptr;
+    glm::dvec4 by{0.0};
+    glm::dvec4 fetch(glm::ivec2 texel, int level) const override { return base->fetch(texel, level) + by; }
+    glm::ivec2 size(int level) const override { return base->size(level); }
+    int levels() const override { return base->levels(); }
+};
+
+class Sensitivity {
+public:
+    Sensitivity(const Material& material, const ir::Module& module, const PixelInputs& pixel)
+        : material_(material),
+          module_(module),
+          pixel_(pixel),
+          evaluator_(module, material.bindings),
+          normal_(normal(pixel)) {
+        for (std::size_t i = 0; i < module.values.size(); ++i) {
+            const ir::Type type = module.values[i].type;
+            if (type != ir::Type::Deriv && type != ir::Type::SurfGrad && type != ir::Type::VolGrad) continue;
+            for (double x : ir::components(values_[i])) largest_ = std::max(largest_, std::abs(x));
+        }
+    }
+
+    [[nodiscard]] dvec3 normal() const { return normal_; }
+    // Radians.
+    double bound() {
+        double sum = kRest * largest_;
+        sum += moved<3>(
+            [](PixelInputs & p) -> auto& { return p.position; }, kVectors);
+        sum += moved<3>(
+            [](PixelInputs & p) -> auto& { return p.vertex_normal; }, kVectors);
+        sum += moved<3>(
+            [](PixelInputs & p) -> auto& { return p.vertex_tangent; }, kVectors);
+        sum += moved<3>(
+            [](PixelInputs & p) -> auto& { return p.dpdx; }, kVectors);
+        sum += moved<3>(
+            [](PixelInputs & p) -> auto& { return p.dpdy; }, kVectors);
+        std::array<bool, 8> seen{};
+        for (const ir::Value& value : module_.values) {
+            if (value.op != ir::Op::uv_set) continue;
+            const std::size_t set = value.index;
+            if (std::exchange(seen[set], true)) continue;
+            sum += moved<2>(
+                [set](PixelInputs & p) -> auto& { return p.uvs[set].st; }, kCoordinates, 1.0);
+            sum += moved<2>(
+                [set](PixelInputs & p) -> auto& { return p.uvs[set].dx; }, kVectors);
+            sum += moved<2>(
+                [set](PixelInputs & p) -> auto& { return p.uvs[set].dy; }, kVectors);
+        }
+        for (std::size_t i = 0; i < material_.textures.size(); ++i) {
+            if (!material_.textures[i].chain.empty()) sum += texture(i);
+        }
+        return sum;
+    }
+
+private:
+    dvec3 normal(const PixelInputs& pixel) {
+        values_ = evaluator_.run(pixel);
+        return std::get<dvec3>(evaluator_.output(ir::Output::normal));
+    }
+
+    double turned() { return turned(pixel_); }
+    double turned(const PixelInputs& pixel) { return glm::distance(normal(pixel), normal_); }
+
+    // The sum over the first N components of an input, each moved by `share` of the vector's length or of
+    // `least`.
+    template <int N, class Field>
+    double moved(Field field, double share, double least = 0.0) {
+        double sum = 0.0;
+        for (int c = 0; c < N; ++c) {
+            PixelInputs pixel = pixel_;
+            auto& vector = field(pixel);
+            vector[c] += share * std::max(glm::length(vector), least);
+            sum += turned(pixel);
+        }
+        return sum;
+    }
+
+    double texture(std::size_t i) {
+        ir::Sampled& sampled = evaluator_.bindings().textures[i];
+        const ir::Sampled before = sampled;
+        double sum = 0.0;
+        for (int c = 0; c < 4; ++c) {
+            Raised raised;
+            raised.base = before.texels;
+            raised.by[c] = kTexels;
+            sampled.texels = &raised;
+            sum += turned();
+            sampled = before;
+        }
+        double level = 0.0;  // not monotonous where the bias crosses a level
+        for (double part : {0.5, 1.0}) {
+            sampled.lod_bias = -kLod * part;
+            level = std::max(level, turned());
+        }
+        sampled = before;
+        return sum + level;
+    }
+
+    const Material& material_;
+    const ir::Module& module_;
+    const PixelInputs& pixel_;
+    ir::Evaluator evaluator_;
+    std::vector<ir::Datum> values_;
+    dvec3 normal_;
+    double largest_ = 1.0;
+};
+
+double angle(dvec3 a, dvec3 b) {
+    const double dot = glm::dot(a, b);
+    return std::isfinite(dot) ? std::atan2(glm::length(glm::cross(a, b)), dot) : 3.15;
+}
+
+double at_share(std::vector<double>& values, double share) {
+    if (values.empty()) return 0.0;
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace
+
+Deviation deviation(const Material& material, const ir::Module& module, const PixelInputs& pixel,
+                    dvec3 normal) {
+    Sensitivity sensitivity(material, module, pixel);
+    const double bound = sensitivity.bound();
+    return {angle(sensitivity.normal(), normal) * kDegrees, bound * kDegrees};
+}
+
+bool Comparison::holds() const {
+    return pixels > 1000 && median <= median_bound && p999 <= p999_bound && beyond <= 0.001;
+}
+
+Comparison compare(const Material& material, const ir::Module& module, const std::vector<PixelInputs>& inputs,
+                   const std::vector<dvec3>& normals, std::size_t stride) {
+    if (inputs.size() != normals.size()) return {};
+    std::vector<double> errors, bounds;
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < inputs.size(); i += stride) {
+        const Deviation d = deviation(material, module, inputs[i], normals[i]);
+        errors.push_back(d.error);
+        bounds.push_back(d.bound);
+        if (!(d.error <= d.bound)) ++beyond;
+    }
+    Comparison out;
+    out.pixels = errors.size();
+    out.beyond = static_cast<double>(beyond) / static_cast<double>(out.pixels);
+    out.median = at_share(errors, 0.5);
+    out.p999 = at_share(errors, 0.999);
+    out.median_bound = at_share(bounds, 0.5);
+    out.p999_bound = at_share(bounds, 0.999);
+    return out;
+}
+
+}  // namespace sg::oracle

@@ -1,0 +1,163 @@
+// Every sample material: what lavapipe draws is what the interpreter computes, and wrong shaders or wrong
+// modules do not pass for right.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/oracle/material_oracle.hpp"
+#include "tests/oracle/module_mutants.hpp"
+#include "tests/render/workshop.hpp"
+
+namespace sg::oracle {
+namespace {
+
+std::string report(const std::string& name, const Comparison& c) {
+    return fmt::format(
+        "{:44} median {:.6f} (bound {:.6f})  p99.9 {:.6f} (bound {:.6f})  {:.3f} % beyond their own  of {} "
+        "pixels\n",
+        name, c.median, c.median_bound, c.p999, c.p999_bound, 100 * c.beyond, c.pixels);
+}
+
+const std::vector<ir::PixelInputs>& inputs_of(const std::string& sample, Seen seen) {
+    static std::map<std::pair<std::string, Seen>, std::vector<ir::PixelInputs>> inputs;
+    auto [at, fresh] = inputs.try_emplace({sample, seen});
+    if (fresh) at->second = draw_inputs(sample, seen);
+    return at->second;
+}
+
+// Wrong shaders and modules are wrong everywhere: a part of the pixels tells.
+constexpr std::size_t kStride = 3;
+
+class Silence : public testing::Environment {
+public:
+    void TearDown() override { EXPECT_EQ(validation_messages(), std::vector<std::string>{}); }
+};
+const testing::Environment* const kSilence =
+    testing::AddGlobalTestEnvironment(new Silence);  // gtest deletes it
+
+class MaterialOracle : public testing::TestWithParam<std::string> {};
+
+TEST_P(MaterialOracle, RenderAgreesWithTheInterpreter) {
+    const std::string& sample = GetParam();
+    for (Seen seen : {Seen::outside, Seen::inside}) {
+        if (seen == Seen::inside && inputs_of(sample, seen).empty()) continue;  // one-sided
+        for (Levels levels : {Levels::first, Levels::all}) {
+            const Material material(sample, levels);
+            const Comparison c = compare(material, material.module, inputs_of(sample, seen),
+                                         draw_normals(sample, seen, levels, target::embedded_library()),
+                                         seen == Seen::outside ? 1 : 2);
+            const std::string text =
+                report(fmt::format("{}{}{}", sample, seen == Seen::outside ? "" : ", back faces",
+                                   levels == Levels::first ? ", first level" : ", all levels"),
+                       c);
+            fmt::print("{}", text);
+            EXPECT_TRUE(c.holds()) << text;
+            // A bound that says nothing would not be worth its derivation.
+            EXPECT_LT(c.p999_bound, levels == Levels::first ? 0.05 : 2.0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, MaterialOracle, testing::ValuesIn(all_samples()),
+                         [](const auto& row) { return row.param.substr(0, row.param.find('.')); });
+
+// ---- wrong shaders ----
+
+struct ShaderMutant {
+    std::string name;
+    std::string file;  // of the shader library
+    std::string text;  // must stand there exactly once, so that this table cannot rot
+    std::string wrong;
+    std::string sample;
+    Levels levels = Levels::first;
+};
+std::ostream& operator<<(std::ostream& out, const ShaderMutant& m) {
+    return out << m.name;
+}
+
+const std::vector<ShaderMutant> kShaderMutants = {
+    {"flip_sign_is_forgotten", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross", "sign_det * cross",
+     "normal_map.json"},
+    {"vertex_frame_not_scaled", "surfgrad/tbn.glsl", "? inversesqrt(square) : 0.0;", "? 1.0 : 0.0;",
+     "two_unwraps.json"},
+    {"bitangent_from_the_unit_normal", "surfgrad/tbn.glsl", "sign_w * scale * cross(", "sign_w * cross(",
+     "two_unwraps.json"},
+    {"negative_tiling_keeps_the_tangent", "surfgrad/tbn.glsl", "scale.x < 0.0 ? -basis.tangent",
+     "scale.x < 0.0 ? basis.tangent", "layered.json"},
+    {"green_is_not_flipped", "surfgrad/deriv.glsl", "return vec2(d.x, -d.y);", "return d;",
+     "normal_map.json"},
+    {"slope_of_xy_not_divided_by_z", "surfgrad/deriv.glsl", "return -m * inversesqrt(", "return -m * (",
+     "two_unwraps.json"},
+    {"zero_is_always_127_and_a_half", "surfgrad/deriv.glsl",
+     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return clamp((255.0 * texel - zero) /",
+     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return clamp((255.0 * texel - 127.5) /",
+     "two_unwraps.json"},
+    {"resolve_adds", "surfgrad/resolve.glsl", "scale * n - scale * g", "scale * n + scale * g",
+     "normal_map.json"},
+    {"slopes_a_ten_thousandth_too_steep", "surfgrad/resolve.glsl", "scale * n - scale * g",
+     "scale * n - 1.0001 * scale * g", "normal_map.json"},
+    {"base_normal_is_not_normalised", "surfgrad/frame.glsl", "usable ? vertex_normal * inversesqrt(square)",
+     "usable ? vertex_normal", "normal_map.json"},
+    {"uv_derivatives_are_swapped", "stage/fragment.glsl", "dFdxFine(st), dFdyFine(st)",
+     "dFdyFine(st), dFdxFine(st)", "normal_map.json"},
+    {"tiling_leaves_dx", "surfgrad/uv.glsl", "uv.st * scale, uv.dx * scale,", "uv.st * scale, uv.dx,",
+     "normal_map.json", Levels::all},
+    {"reads_are_half_a_level_too_fine", "surfgrad/sample.glsl", "uv.st, uv.dx, uv.dy);",
+     "uv.st, 0.7 * uv.dx, 0.7 * uv.dy);", "two_unwraps.json", Levels::all},
+};
+
+class OracleNoticesShader : public testing::TestWithParam<ShaderMutant> {};
+
+TEST_P(OracleNoticesShader, ThatIsWrong) {
+    const ShaderMutant& mutant = GetParam();
+    target::ShaderLibrary library = target::embedded_library();
+    ASSERT_TRUE(library.files.contains(mutant.file));
+    std::string& text = library.files[mutant.file];
+    const std::size_t at = text.find(mutant.text);
+    ASSERT_NE(at, std::string::npos) << "the library changed: '" << mutant.text << "'";
+    ASSERT_EQ(text.find(mutant.text, at + 1), std::string::npos)
+        << "the library changed: '" << mutant.text << "'";
+    text.replace(at, mutant.text.size(), mutant.wrong);
+    const Material material(mutant.sample, mutant.levels);
+    const Comparison c = compare(material, material.module, inputs_of(mutant.sample, Seen::outside),
+                                 draw_normals(mutant.sample, Seen::outside, mutant.levels, library), kStride);
+    fmt::print("{}", report(mutant.name, c));
+    EXPECT_GT(c.pixels, 1000u);
+    EXPECT_FALSE(c.holds());
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, OracleNoticesShader, testing::ValuesIn(kShaderMutants),
+                         [](const auto& row) { return row.param.name; });
+
+// ---- wrong modules ----
+
+// The sample with an operation of nearly every kind, seen from both sides: each wrong module breaks one at
+// least.
+TEST(OracleNoticesModule, ThatIsWrong) {
+    const std::string sample = "layered.json";
+    const Material material(sample, Levels::first);
+    std::size_t applied = 0;
+    std::map<std::string_view, bool> noticed;
+    for (Seen seen : {Seen::outside, Seen::inside}) {
+        const std::vector<ref::dvec3> normals =
+            draw_normals(sample, seen, Levels::first, target::embedded_library());
+        for (const ModuleMutant& mutant : all_module_mutants()) {
+            ir::Module wrong = material.module;
+            if (noticed[mutant.name] || !apply_last(mutant, wrong)) continue;
+            applied += seen == Seen::outside ? 1 : 0;
+            ASSERT_EQ(ir::verify(wrong), "") << mutant.name;
+            const Comparison c = compare(material, wrong, inputs_of(sample, seen), normals, kStride);
+            fmt::print("{}", report(std::string(mutant.name), c));
+            noticed[mutant.name] = c.pixels > 1000 && !c.holds();
+        }
+    }
+    const auto count =
+        std::count_if(noticed.begin(), noticed.end(), [](const auto& row) { return row.second; });
+    EXPECT_EQ(static_cast<std::size_t>(count), applied);
+    EXPECT_GE(applied, 10u);
+}
+
+}  // namespace
+}  // namespace sg::oracle
