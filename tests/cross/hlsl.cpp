@@ -1,0 +1,81 @@
+#include "tests/cross/hlsl.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+#include <regex>
+#include <stdexcept>
+
+#include "tests/cross/process.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg::cross {
+namespace {
+
+constexpr std::uint32_t kTextures = 100, kSamplers = 200;  // glslang has one number space: t and s are shifted apart
+
+// glslang numbers locations in the order of appearance and does not look at TEXCOORDn.
+std::string with_locations(const std::string& text) {
+    static const std::regex kSemantic("(\\n\\s*)(\\w+ \\w+ : TEXCOORD)(\\d+);");
+    return std::regex_replace(text, kSemantic, "$1[[vk::location($3)]] $2$3;");
+}
+
+Outcome run_glslang(const std::string& text, bool vertex) {
+    auto source = scratch() / "shader.hlsl";
+    write_file(source, with_locations(text));
+    return run(fmt::format("glslangValidator -D -V --target-env vulkan1.1 -S {} -e main --stb {} --ssb {} {} -o '{}' '{}' 2>&1",
+                           vertex ? "vert" : "frag", kTextures, kSamplers, vertex ? "--invert-y" : "",
+                           (scratch() / "shader.spv").string(), source.string()));
+}
+
+// The (set, binding) of what stands at a register.
+const Slot& slot_at(const std::vector<Slot>& slots, std::uint32_t shifted, std::uint32_t space) {
+    std::string kind = shifted >= kSamplers ? "sampler" : shifted >= kTextures ? "texture" : "uniform_buffer";
+    std::uint32_t index = shifted % kTextures;
+    for (const Slot& slot : slots) {
+        if (slot.kind == kind && slot.index == index && slot.space == space) return slot;
+    }
+    throw std::runtime_error(fmt::format("the manifest has no {} at register {}, space {}", kind, index, space));
+}
+
+void move_bindings(std::vector<std::uint32_t>& words, const std::vector<Slot>& slots) {
+    constexpr std::uint32_t kDecorate = 71, kBinding = 33, kSet = 34;
+    struct Place {
+        std::uint32_t* set = nullptr;
+        std::uint32_t* binding = nullptr;
+    };
+    std::map<std::uint32_t, Place> places;
+    for (std::size_t i = 5; i < words.size(); i += std::max(1u, words[i] >> 16u)) {
+        if ((words[i] & 0xFFFFu) != kDecorate) continue;
+        if (words[i + 2] == kBinding) places[words[i + 1]].binding = &words[i + 3];
+        if (words[i + 2] == kSet) places[words[i + 1]].set = &words[i + 3];
+    }
+    for (auto& [id, place] : places) {
+        if (!place.set || !place.binding) throw std::runtime_error("a resource without a register");
+        const Slot& slot = slot_at(slots, *place.binding, *place.set);
+        *place.binding = slot.binding;
+        *place.set = slot.set;
+    }
+}
+
+std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
+    Outcome outcome = run_glslang(stage.text, vertex);
+    if (outcome.exit_code != 0) throw std::runtime_error("glslang: " + outcome.text);
+    std::string bytes = test::read_file(scratch() / "shader.spv");
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), words.size() * 4);
+    move_bindings(words, stage.slots);
+    return words;
+}
+
+}  // namespace
+
+ShaderWords hlsl_to_words(const Drawing& drawing) { return {to_words(drawing.vertex, true), to_words(drawing.fragment, false)}; }
+
+std::string hlsl_refusal(const std::string& text, bool vertex) {
+    Outcome outcome = run_glslang(text, vertex);
+    return outcome.exit_code == 0 ? "" : outcome.text.empty() ? "glslang crashed" : outcome.text;
+}
+
+}  // namespace sg::cross

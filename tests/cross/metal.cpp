@@ -1,0 +1,147 @@
+#include "tests/cross/metal.hpp"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include "tests/cross/metal_source.hpp"
+#include "tests/cross/process.hpp"
+#include "tests/cross/raster.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg::cross {
+namespace {
+
+// Metal's literals without a suffix are floats.
+Outcome run_clang(const std::string& source, const std::string& options) {
+    auto file = scratch() / "texts.cpp";
+    write_file(file, source);
+    return run(fmt::format("clang++ -std=c++17 -w -Xclang -cl-single-precision-constant -ffp-contract=off -ferror-limit=0 -I '{}' {} '{}' 2>&1",
+                           (test::source_dir() / "tests/cross/metal").string(), options, file.string()));
+}
+
+// Texts by content, in the order of their first appearance: many targets and samples share them.
+class Texts {
+public:
+    std::size_t add(const std::string& text) {
+        auto [at, fresh] = numbers_.try_emplace(text, list.size());
+        if (fresh) list.push_back(text);
+        return at->second;
+    }
+    std::vector<std::string> list;
+
+private:
+    std::map<std::string, std::size_t> numbers_;
+};
+
+struct Plan {
+    std::size_t vertex = 0, fragment = 0;
+};
+
+std::vector<float> base_texels(const TextureView& view) {
+    const asset::Image& image = view.chain->front();
+    std::vector<float> out;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            for (int c = 0; c < 4; ++c) {
+                double value = image.at(x, y, c);
+                if (view.srgb && c < 3) value = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+                out.push_back(static_cast<float>(value));
+            }
+        }
+    }
+    return out;
+}
+
+// What the manifest says is bound where, for one stage. `texels` keeps the textures' bytes alive.
+SgBindings bind(const Drawing& drawing, const Stage& stage, std::vector<std::vector<float>>& texels) {
+    SgBindings out{};
+    for (const Slot& slot : stage.slots) {
+        if (slot.kind == "uniform_buffer") out.buffers[slot.index] = drawing.blocks[slot.set].data();
+        if (slot.kind == "texture") {
+            const TextureView& view = drawing.textures.at(slot.binding);
+            texels.push_back(base_texels(view));
+            out.textures[slot.index] = {texels.back().data(), static_cast<int>(view.chain->front().width), static_cast<int>(view.chain->front().height)};
+        }
+        if (slot.kind == "sampler") {
+            const auto& state = drawing.samplers.at(slot.binding);
+            out.samplers[slot.index] = {static_cast<int>(state.wrap_s), static_cast<int>(state.wrap_t), state.linear ? 1 : 0};
+        }
+    }
+    return out;
+}
+
+std::vector<RasterVertex> run_vertices(const Drawing& drawing, const SgBindings& bindings, SgVertexFunction function) {
+    std::vector<RasterVertex> out(drawing.attributes[0].values.size() / drawing.attributes[0].components);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        SgNumbers attributes{};
+        for (const Attribute& a : drawing.attributes) std::memcpy(attributes[a.location], &a.values[i * a.components], a.components * sizeof(float));
+        function(bindings, attributes, out[i].varyings, out[i].position);
+    }
+    return out;
+}
+
+template <typename Function>
+Function function_of(void* library, std::size_t text) {
+    void* found = ::dlsym(library, fmt::format("sg_call_{}", text).c_str());
+    if (!found) throw std::runtime_error(fmt::format("no function for text {}", text));
+    return reinterpret_cast<Function>(found);
+}
+
+}  // namespace
+
+std::string metal_missing() { return has_program("clang++") ? "" : "no clang++"; }
+
+const Sample& base_sample(const Sample& sample) {
+    static std::map<std::string, Sample> samples;
+    auto [at, fresh] = samples.try_emplace(sample.name, sample);
+    if (fresh) {
+        at->second.name += " (level 0)";
+        for (auto& chain : at->second.textures.chains) chain.resize(1);
+    }
+    return at->second;
+}
+
+std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
+    Texts texts;
+    std::vector<Plan> plans;
+    for (const Drawing& drawing : drawings) plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
+    auto library_file = scratch() / "texts.so";
+    Outcome compiled = run_clang(metal_source(texts.list, true), fmt::format("-O1 -shared -fPIC -o '{}'", library_file.string()));
+    if (compiled.exit_code != 0) throw std::runtime_error("clang: " + compiled.text.substr(0, 2000));
+    void* library = ::dlopen(library_file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) throw std::runtime_error(::dlerror());
+    std::vector<Pixels> out;
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+        std::vector<std::vector<float>> texels;
+        const SgBindings vertex_bindings = bind(drawings[i], drawings[i].vertex, texels);
+        const SgBindings fragment_bindings = bind(drawings[i], drawings[i].fragment, texels);
+        auto vertices = run_vertices(drawings[i], vertex_bindings, function_of<SgVertexFunction>(library, plans[i].vertex));
+        out.push_back(rasterise(vertices, drawings[i].indices, drawings[i].cull_back, fragment_bindings,
+                                function_of<SgFragmentFunction>(library, plans[i].fragment)));
+    }
+    ::dlclose(library);
+    return out;
+}
+
+std::vector<std::string> metal_refusals(const std::vector<std::string>& all) {
+    Texts texts;
+    std::vector<std::size_t> numbers;
+    for (const std::string& text : all) numbers.push_back(texts.add(text));
+    Outcome outcome = run_clang(metal_source(texts.list, false), "-fsyntax-only");
+    std::vector<std::string> out;
+    for (std::size_t number : numbers) {
+        std::size_t at = outcome.text.find(fmt::format("text{}.metal:", number));
+        out.push_back(at == outcome.text.npos ? "" : outcome.text.substr(at, outcome.text.find('\n', at) - at));
+    }
+    bool blamed = std::any_of(out.begin(), out.end(), [](const std::string& s) { return !s.empty(); });
+    if (outcome.exit_code != 0 && !blamed) throw std::runtime_error("clang: " + outcome.text.substr(0, 2000));
+    return out;
+}
+
+}  // namespace sg::cross

@@ -1,0 +1,218 @@
+#include "tests/cross/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "compile.hpp"
+#include "runtime/blocks.hpp"
+#include "runtime/gpu/device.hpp"
+#include "runtime/mesh/shapes.hpp"
+#include "runtime/parameters.hpp"
+#include "runtime/vertices.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg::cross {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what, const Diags& diags) { throw std::runtime_error(what + ":\n" + render(diags)); }
+
+// llvmpipe draws both for Vulkan and for GL. Its short cuts (8-bit filtering, one level of detail per four pixels,
+// approximate logarithms) are switched off, so that what differs is the text alone. Read when a driver starts.
+const int kDriver = ::setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod,no_rho_approx,no_brilinear", 1);
+
+runtime::gpu::Device& device() {
+    static runtime::gpu::Device instance = [] {
+        Diags diags;
+        auto made = runtime::gpu::Device::create({"", true}, diags);
+        if (!made || kDriver != 0) fail("no device", diags);
+        return std::move(*made);
+    }();
+    return instance;
+}
+
+// A torus, turned and stretched so that no matrix is its own transpose, with every attribute there is.
+runtime::Scene make_scene() {
+    runtime::Scene scene;
+    asset::Mesh mesh = *runtime::make_shape("torus");
+    for (const glm::vec3& p : mesh.positions) mesh.colors.emplace_back(0.5f * p + 0.5f, 1.0f);
+    for (std::size_t set = 2; set < mesh.uvs.size(); ++set) {
+        for (const glm::vec2& uv : mesh.uvs[0]) mesh.uvs[set].push_back(uv * static_cast<float>(set));
+    }
+    scene.content.meshes.push_back(std::move(mesh));
+    glm::mat4 world = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(glm::vec3(1, 2, 3)));
+    scene.content.instances.push_back({"torus", 0, glm::scale(world, glm::vec3(1, 1.3f, 0.8f))});
+    scene.camera = runtime::default_camera(runtime::bounds_of(scene.content), 1);
+    return scene;
+}
+const runtime::Scene& scene() {
+    static const runtime::Scene kScene = make_scene();
+    return kScene;
+}
+
+Sample make_sample(const std::string& name) {
+    const fs::path path = test::source_dir() / "materials" / (name + ".json");
+    RealFiles disk;
+    CompileRequest request;
+    request.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)});
+    request.stem = name;
+    request.roots = {path.parent_path()};
+    request.targets.clear();
+    for (const target::Target& target : target::all_targets()) request.targets.push_back(&target);
+    static const target::ShaderLibrary kLibrary = target::embedded_library();
+    Diags diags;
+    auto compiled = compile_material(request, disk, kLibrary, diags);
+    if (!compiled) fail(name, diags);
+    MemoryFiles files;
+    Sample out{.name = name};
+    for (auto& [file, bytes] : compiled->files) {
+        if (file.ends_with(".json")) out.manifest = bytes;
+        bool text = !file.ends_with(".spv") && !file.ends_with(".json");
+        if (text) out.texts[file] = bytes;
+        files.contents["out/" + file] = std::move(bytes);
+    }
+    auto artefact = runtime::read_artefact(files, "out/" + name + ".json", diags);
+    if (!artefact) fail(name, diags);
+    auto textures = runtime::load_textures(disk, *artefact, path.parent_path(), diags);
+    auto parameters = runtime::pack_parameters(*artefact, {}, diags);
+    if (!textures || !parameters) fail(name, diags);
+    // What an anisotropic filter averages is the driver's affair, and no part of the text.
+    for (runtime::SamplerSlot& slot : artefact->samplers) slot.state.anisotropy = 1;
+    out.artefact = std::move(*artefact);
+    out.textures = std::move(*textures);
+    out.parameters = std::move(*parameters);
+    return out;
+}
+
+Slot read_slot(const nlohmann::json& row) {
+    Slot out{row.at("kind"), row.at("set"), row.at("binding"), row.at("name")};
+    if (row.contains("register")) {
+        out.index = static_cast<std::uint32_t>(std::stoul(row["register"].get<std::string>().substr(1)));
+        out.space = row.at("space");
+    } else {
+        out.index = row.contains("unit") ? row["unit"] : row.at("index");
+    }
+    out.sampler_binding = row.value("sampler_binding", 0u);
+    return out;
+}
+
+Stage read_stage(const Sample& sample, const nlohmann::json& stage, const target::Target& target) {
+    for (const auto& row : stage.at("targets")) {
+        if (row.at("target") != target.name) continue;
+        Stage out{sample.texts.at(row.at("file")), {}};
+        for (const auto& slot : row.at("bindings")) out.slots.push_back(read_slot(slot));
+        return out;
+    }
+    throw std::runtime_error(sample.name + ": the manifest has no " + std::string(target.name));
+}
+
+template <typename Block>
+std::vector<std::byte> bytes_of(const Block& block) {
+    auto span = std::as_bytes(std::span(&block, 1));
+    return {span.begin(), span.end()};
+}
+
+}  // namespace
+
+std::vector<std::string> sample_names() {
+    std::vector<std::string> out;
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials")) {
+        if (entry.path().extension() == ".json") out.push_back(entry.path().stem().string());
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+const Sample& sample(const std::string& name) {
+    static std::map<std::string, Sample> samples;
+    auto it = samples.find(name);
+    return it == samples.end() ? samples.emplace(name, make_sample(name)).first->second : it->second;
+}
+
+Drawing drawing(const Sample& sample, const target::Target& target) {
+    const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
+    Drawing out{.sample = sample.name, .target = &target};
+    const nlohmann::json manifest = nlohmann::json::parse(sample.manifest);
+    for (const auto& row : manifest.at("entry_points")) {
+        if (row.at("name") != "normal") continue;
+        out.vertex = read_stage(sample, row.at("stages").at(0), target);
+        out.fragment = read_stage(sample, row.at("stages").at(1), target);
+    }
+    Diags diags;
+    const asset::Instance& instance = scene().content.instances[0];
+    auto mesh = runtime::prepare_mesh(scene().content.meshes[0], entry, sample.name, diags);
+    if (!mesh) fail(sample.name, diags);
+    for (const runtime::VertexInput& input : entry.inputs) {
+        auto bytes = runtime::attribute_bytes(*mesh, input.name);
+        Attribute attribute{input.location, input.components, std::vector<float>(bytes.size() / sizeof(float))};
+        std::memcpy(attribute.values.data(), bytes.data(), bytes.size());
+        out.attributes.push_back(std::move(attribute));
+    }
+    out.indices = mesh->indices;
+    auto bounds = runtime::bounds_of(scene().content);
+    out.blocks = {bytes_of(runtime::frame_block(scene(), bounds, kSide, kSide, 0, 0)), sample.parameters,
+                  bytes_of(runtime::object_block(scene().camera, instance.world_from_object))};
+    for (std::size_t i = 0; i < sample.artefact.textures.size(); ++i) {
+        out.textures[sample.artefact.textures[i].binding] = {&sample.textures.chains[i], sample.artefact.textures[i].srgb};
+    }
+    for (const runtime::SamplerSlot& slot : sample.artefact.samplers) out.samplers[slot.binding] = slot.state;
+    out.cull_back = !sample.artefact.two_sided;
+    return out;
+}
+
+Pixels render_words(const Sample& sample, const ShaderWords& words) {
+    runtime::Artefact artefact = sample.artefact;
+    for (runtime::EntryPoint& entry : artefact.entries) {
+        if (entry.name != "normal") continue;
+        entry.vertex.words = words[0];
+        entry.fragment.words = words[1];
+    }
+    Diags diags;
+    auto view = runtime::find_view(artefact, "normal", diags);
+    runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
+    auto picture = runtime::render(device(), artefact, sample.textures, scene(), *view, options, diags);
+    if (!picture) fail(sample.name, diags);
+    Pixels out(std::size_t{kSide} * kSide * 4);
+    std::memcpy(out.data(), picture->values.bytes.data(), out.size() * sizeof(float));
+    return out;
+}
+
+const Pixels& reference(const Sample& sample) {
+    static std::map<std::string, Pixels> pictures;
+    auto [at, fresh] = pictures.try_emplace(sample.name);
+    const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
+    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words});
+    return at->second;
+}
+
+std::vector<std::string> validation_messages() { return device().log()->messages(); }
+
+Difference compare(const Pixels& a, const Pixels& b) {
+    Difference out;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < std::size_t{kSide} * kSide; ++i) {
+        const float *p = &a[4 * i], *q = &b[4 * i];
+        if ((p[3] == 0) != (q[3] == 0)) ++out.one_alone;
+        if (p[3] == 0 || q[3] == 0) continue;
+        double error = 0;
+        for (int c = 0; c < 4; ++c) {
+            double d = std::abs(double{p[c]} - double{q[c]});
+            error = d <= error ? error : d;  // keeps what is not a number
+        }
+        errors.push_back(error);
+    }
+    out.both = errors.size();
+    if (errors.empty()) return out;
+    std::sort(errors.begin(), errors.end(), [](double x, double y) { return x < y || (x == x && y != y); });
+    out.largest = errors.back();
+    out.p999 = errors[std::min(errors.size() - 1, errors.size() * 999 / 1000)];
+    return out;
+}
+
+}  // namespace sg::cross

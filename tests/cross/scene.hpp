@@ -1,0 +1,83 @@
+// One scene and every sample of materials/, compiled for every target: what each API needs to draw it, as plain bytes.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/render.hpp"
+#include "target/targets.hpp"
+
+namespace sg::cross {
+
+constexpr std::uint32_t kSide = 128;  // pixels per side of every picture
+
+// rgba per pixel, upper row first; alpha 0 where nothing was drawn.
+using Pixels = std::vector<float>;
+
+// A row of the manifest: where a target's text has what SPIR-V has at (set, binding).
+struct Slot {
+    std::string kind;  // "uniform_buffer", "texture" or "sampler"
+    std::uint32_t set = 0, binding = 0;
+    std::string name;
+    std::uint32_t index = 0;  // of register, buffer, texture, sampler, block or unit
+    std::uint32_t space = 0;
+    std::uint32_t sampler_binding = 0;
+};
+struct Stage {
+    std::string text;
+    std::vector<Slot> slots;
+};
+struct Attribute {
+    std::uint32_t location = 0;
+    std::uint32_t components = 0;
+    std::vector<float> values;
+};
+struct TextureView {
+    const std::vector<asset::Image>* chain = nullptr;
+    bool srgb = false;
+};
+
+// The entry point `normal` of one sample in one target.
+struct Drawing {
+    std::string sample;
+    const target::Target* target = nullptr;
+    Stage vertex, fragment;
+    std::vector<Attribute> attributes;
+    std::vector<std::uint32_t> indices;
+    std::array<std::vector<std::byte>, 3> blocks;  // by set: frame, material, object
+    std::map<std::uint32_t, TextureView> textures;                       // by binding in set 1
+    std::map<std::uint32_t, runtime::gpu::SamplerState> samplers;        // by binding in set 1
+    bool cull_back = true;
+};
+
+struct Sample {
+    std::string name;
+    std::map<std::string, std::string> texts;  // every cross-compiled file, by name
+    runtime::Artefact artefact;
+    runtime::TextureSet textures;
+    std::vector<std::byte> parameters;
+    std::string manifest;
+};
+
+std::vector<std::string> sample_names();
+const Sample& sample(const std::string& name);  // compiled once
+Drawing drawing(const Sample& sample, const target::Target& target);
+
+// The SPIR-V render, or that of other shaders in its place. `words`: vertex and fragment.
+using ShaderWords = std::array<std::vector<std::uint32_t>, 2>;
+const Pixels& reference(const Sample& sample);
+Pixels render_words(const Sample& sample, const ShaderWords& words);
+// What the validation layers said to all of these.
+std::vector<std::string> validation_messages();
+
+struct Difference {
+    double largest = 0;            // of any channel of any pixel that both cover
+    double p999 = 0;               // 99.9th percentile of the pixels' largest channel
+    std::size_t both = 0;          // pixels that both cover
+    std::size_t one_alone = 0;     // pixels that one covers and the other does not
+};
+Difference compare(const Pixels& a, const Pixels& b);
+
+}  // namespace sg::cross
