@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "published.hpp"
+#include "skipped.hpp"
 
 namespace sg::proof {
 namespace {
@@ -295,6 +296,10 @@ TEST(NoiseReference, GradientsAreDifferencesOfHeights) {
             EXPECT_LT(apart(dented_at), 1e-6);
         }
     }
+}
+
+TEST(Noise, FewPointsLieOnACorner) {
+    expect_few_skipped(turbulence(), 0.01);
 }
 
 // A point or footprint that is no number: noise is NaN at worst, which the resolve rejects, and a NaN

@@ -4,6 +4,7 @@
 #include "ir/reference/from_height.hpp"
 #include "ir/reference/from_volume.hpp"
 #include "published.hpp"
+#include "skipped.hpp"
 
 namespace sg::proof {
 namespace {
@@ -193,6 +194,10 @@ std::vector<Case> cases() {
 }
 
 SG_PROVE(Triplanar, cases());
+
+TEST(Triplanar, FewNormalsSitOnAPlanesLimit) {
+    expect_few_skipped(weights(), 0.01);
+}
 
 TEST(Triplanar, GoldenWeights) {
     const double golden[] = {0.0011902, 0.1464178, 0.8523920};
