@@ -21,12 +21,9 @@ std::string with_locations(const std::string& text) {
     return std::regex_replace(text, kSemantic, "$1[[vk::location($3)]] $2$3;");
 }
 
-Outcome run_glslang(const std::string& text, bool vertex) {
-    auto source = scratch() / "shader.hlsl";
-    write_file(source, with_locations(text));
-    return run(fmt::format("glslangValidator -D -V --target-env vulkan1.1 -S {} -e main --stb {} --ssb {} {} -o '{}' '{}' 2>&1",
-                           vertex ? "vert" : "frag", kTextures, kSamplers, vertex ? "--invert-y" : "",
-                           (scratch() / "shader.spv").string(), source.string()));
+std::string options(bool vertex) {
+    return fmt::format("-D -V --target-env vulkan1.1 -S {} -e main --stb {} --ssb {} {}", vertex ? "vert" : "frag", kTextures, kSamplers,
+                       vertex ? "--invert-y" : "");
 }
 
 // The (set, binding) of what stands at a register.
@@ -60,9 +57,11 @@ void move_bindings(std::vector<std::uint32_t>& words, const std::vector<Slot>& s
 }
 
 std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
-    Outcome outcome = run_glslang(stage.text, vertex);
+    auto source = scratch() / "shader.hlsl", result = scratch() / "shader.spv";
+    write_file(source, with_locations(stage.text));
+    Outcome outcome = run(fmt::format("glslangValidator {} -o '{}' '{}' 2>&1", options(vertex), result.string(), source.string()));
     if (outcome.exit_code != 0) throw std::runtime_error("glslang: " + outcome.text);
-    std::string bytes = test::read_file(scratch() / "shader.spv");
+    std::string bytes = test::read_file(result);
     std::vector<std::uint32_t> words(bytes.size() / 4);
     std::memcpy(words.data(), bytes.data(), words.size() * 4);
     move_bindings(words, stage.slots);
@@ -73,9 +72,24 @@ std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
 
 ShaderWords hlsl_to_words(const Drawing& drawing) { return {to_words(drawing.vertex, true), to_words(drawing.fragment, false)}; }
 
-std::string hlsl_refusal(const std::string& text, bool vertex) {
-    Outcome outcome = run_glslang(text, vertex);
-    return outcome.exit_code == 0 ? "" : outcome.text.empty() ? "glslang crashed" : outcome.text;
+std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts) {
+    std::map<std::string, std::string> files;  // by text: many targets and samples share them
+    std::string commands;
+    for (const HlslText& text : texts) {
+        auto [at, fresh] = files.try_emplace(text.text, (scratch() / fmt::format("accept{}.hlsl", files.size())).string());
+        if (!fresh) continue;
+        write_file(at->second, with_locations(text.text));
+        commands += fmt::format("glslangValidator {} -o {}.spv {} > {}.log 2>&1 || echo refused >> {}.log\n", options(text.vertex), at->second,
+                                at->second, at->second, at->second);
+    }
+    write_file(scratch() / "commands", commands);
+    run(fmt::format("xargs -P 2 -d '\\n' -n 1 sh -c < '{}'", (scratch() / "commands").string()));
+    std::vector<std::string> out;
+    for (const HlslText& text : texts) {
+        std::string log = test::read_file(files.at(text.text) + ".log");
+        out.push_back(log.find("refused\n") == log.npos && !log.empty() ? "" : "glslang: " + log);
+    }
+    return out;
 }
 
 }  // namespace sg::cross

@@ -9,7 +9,11 @@ namespace sg::cross {
 // glslang's words where it refuses the text.
 ShaderWords hlsl_to_words(const Drawing& drawing);
 
-// "" or what glslang's HLSL front end says to a text.
-std::string hlsl_refusal(const std::string& text, bool vertex);
+struct HlslText {
+    std::string text;
+    bool vertex = false;
+};
+// "" or what glslang's HLSL front end says, by text; two child processes at a time.
+std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts);
 
 }  // namespace sg::cross

@@ -56,40 +56,6 @@ const runtime::Scene& scene() {
     return kScene;
 }
 
-Sample make_sample(const std::string& name) {
-    const fs::path path = test::source_dir() / "materials" / (name + ".json");
-    RealFiles disk;
-    CompileRequest request;
-    request.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)});
-    request.stem = name;
-    request.roots = {path.parent_path()};
-    request.targets.clear();
-    for (const target::Target& target : target::all_targets()) request.targets.push_back(&target);
-    static const target::ShaderLibrary kLibrary = target::embedded_library();
-    Diags diags;
-    auto compiled = compile_material(request, disk, kLibrary, diags);
-    if (!compiled) fail(name, diags);
-    MemoryFiles files;
-    Sample out{.name = name};
-    for (auto& [file, bytes] : compiled->files) {
-        if (file.ends_with(".json")) out.manifest = bytes;
-        bool text = !file.ends_with(".spv") && !file.ends_with(".json");
-        if (text) out.texts[file] = bytes;
-        files.contents["out/" + file] = std::move(bytes);
-    }
-    auto artefact = runtime::read_artefact(files, "out/" + name + ".json", diags);
-    if (!artefact) fail(name, diags);
-    auto textures = runtime::load_textures(disk, *artefact, path.parent_path(), diags);
-    auto parameters = runtime::pack_parameters(*artefact, {}, diags);
-    if (!textures || !parameters) fail(name, diags);
-    // What an anisotropic filter averages is the driver's affair, and no part of the text.
-    for (runtime::SamplerSlot& slot : artefact->samplers) slot.state.anisotropy = 1;
-    out.artefact = std::move(*artefact);
-    out.textures = std::move(*textures);
-    out.parameters = std::move(*parameters);
-    return out;
-}
-
 Slot read_slot(const nlohmann::json& row) {
     Slot out{row.at("kind"), row.at("set"), row.at("binding"), row.at("name")};
     if (row.contains("register")) {
@@ -129,10 +95,44 @@ std::vector<std::string> sample_names() {
     return out;
 }
 
+Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library) {
+    const fs::path path = test::source_dir() / "materials" / (name + ".json");
+    RealFiles disk;
+    CompileRequest request;
+    request.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)});
+    request.stem = name + suffix;
+    request.roots = {path.parent_path()};
+    request.targets.clear();
+    for (const target::Target& target : target::all_targets()) request.targets.push_back(&target);
+    Diags diags;
+    auto compiled = compile_material(request, disk, library, diags);
+    if (!compiled) fail(name, diags);
+    MemoryFiles files;
+    Sample out{.name = name + suffix};
+    for (auto& [file, bytes] : compiled->files) {
+        if (file.ends_with(".json")) out.manifest = bytes;
+        bool text = !file.ends_with(".spv") && !file.ends_with(".json");
+        if (text) out.texts[file] = bytes;
+        files.contents["out/" + file] = std::move(bytes);
+    }
+    auto artefact = runtime::read_artefact(files, "out/" + out.name + ".json", diags);
+    if (!artefact) fail(name, diags);
+    auto textures = runtime::load_textures(disk, *artefact, path.parent_path(), diags);
+    auto parameters = runtime::pack_parameters(*artefact, {}, diags);
+    if (!textures || !parameters) fail(name, diags);
+    // What an anisotropic filter averages is the driver's affair, and no part of the text.
+    for (runtime::SamplerSlot& slot : artefact->samplers) slot.state.anisotropy = 1;
+    out.artefact = std::move(*artefact);
+    out.textures = std::move(*textures);
+    out.parameters = std::move(*parameters);
+    return out;
+}
+
 const Sample& sample(const std::string& name) {
+    static const target::ShaderLibrary kLibrary = target::embedded_library();
     static std::map<std::string, Sample> samples;
     auto it = samples.find(name);
-    return it == samples.end() ? samples.emplace(name, make_sample(name)).first->second : it->second;
+    return it == samples.end() ? samples.emplace(name, make_sample(name, "", kLibrary)).first->second : it->second;
 }
 
 Drawing drawing(const Sample& sample, const target::Target& target) {

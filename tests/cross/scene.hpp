@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/render.hpp"
+#include "target/shader_library.hpp"
 #include "target/targets.hpp"
 
 namespace sg::cross {
@@ -63,6 +64,8 @@ struct Sample {
 
 std::vector<std::string> sample_names();
 const Sample& sample(const std::string& name);  // compiled once
+// With another shader library; `suffix` tells it from the plain one.
+Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library);
 Drawing drawing(const Sample& sample, const target::Target& target);
 
 // The SPIR-V render, or that of other shaders in its place. `words`: vertex and fragment.

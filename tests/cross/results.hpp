@@ -1,0 +1,41 @@
+// Every sample in every target: accepted by which tool, drawn by what, how far from the SPIR-V.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/cross/scene.hpp"
+
+namespace sg::cross {
+
+struct Result {
+    std::string sample;
+    const target::Target* target = nullptr;
+    std::string skipped;  // "" or why nothing was checked
+    std::string refusal;  // "" or a tool's words about any entry point
+    Difference difference;
+};
+
+// Samples by name, in each the targets in their order. Made once, on the first call.
+const std::vector<Result>& results();
+
+// How far a picture in a target may be from the SPIR-V's; the derivation stands at the definition.
+struct Limit {
+    double largest = 0, p999 = 0;
+    std::size_t one_alone = 0;  // pixels
+};
+Limit limit_of(const target::Target& target);
+
+// The tools of a target, for people.
+std::string_view accepted_by(const target::Target& target);
+std::string_view drawn_by(const target::Target& target);
+
+// "" or why a target cannot be checked here.
+std::string missing_tool(const target::Target& target);
+
+// Draws each; empty pictures where a text was refused. All of one target.
+std::vector<Pixels> draw_all(const std::vector<Drawing>& drawings);
+// What to compare a drawing of `sample` with.
+const Pixels& expected(const Sample& sample, const target::Target& target);
+
+}  // namespace sg::cross
