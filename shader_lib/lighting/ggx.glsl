@@ -6,6 +6,8 @@ struct SgSurface {
     vec3 base_color;  // linear, 0..1
     float metallic;   // 0..1
     float roughness;  // perceptual, 0..1; alpha = roughness^2
+    float occlusion;  // 0..1, of the ambient light
+    vec3 emission;    // linear radiance
 };
 
 // Trowbridge and Reitz 1975 as named GGX by Walter et al. 2007, Eq 33. cos_h in 0..1, alpha > 0.

@@ -12,14 +12,15 @@ vec3 sg_stage_view(vec3 position) {
     return to_viewer * inversesqrt(max(dot(to_viewer, to_viewer), 1e-30));
 }
 
-// Linear radiance; alpha 1 marks a covered pixel.
-vec4 sg_stage_forward(SgSurface surface, vec3 position, vec3 normal) {
+// Linear radiance towards the viewer.
+vec3 sg_stage_forward(SgSurface surface, vec3 position, vec3 normal) {
     vec3 view = sg_stage_view(position);
     vec3 direct =
         sg_ggx(surface, normal, view, sg_frame_block.light_direction.xyz, sg_frame_block.light_radiance.rgb);
     vec3 f0 = mix(vec3(0.04), surface.base_color, surface.metallic);
     vec3 ambient_albedo = mix(surface.base_color, f0, surface.metallic);
-    return vec4(direct + ambient_albedo * sg_frame_block.ambient_radiance.rgb, 1.0);
+    vec3 ambient = surface.occlusion * ambient_albedo * sg_frame_block.ambient_radiance.rgb;
+    return direct + ambient + surface.emission;
 }
 
 #endif

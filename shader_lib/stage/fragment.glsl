@@ -5,9 +5,13 @@
 
 #include "surfgrad/frame.glsl"
 #include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
 
 // A texture coordinate with its derivatives over the screen.
 SgUv sg_stage_uv(vec2 st) { return SgUv(st, dFdxFine(st), dFdyFine(st)); }
+
+// A place in the space of a lookup with its derivatives over the screen.
+SgVolume sg_stage_volume(vec3 p) { return SgVolume(p, dFdxFine(p), dFdyFine(p)); }
 
 // The frame of the surface under this pixel. position: relative world space; n: unit.
 SgFrame sg_stage_frame(vec3 position, vec3 n) {

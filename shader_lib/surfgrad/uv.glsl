@@ -34,4 +34,8 @@ float sg_uv_level(SgUv uv, vec2 dim) {
     return 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-24));
 }
 
+// Texels of a texture at level 0.
+//   image, filtering: any. Result: the dim of the functions that ask for one. Cost: 1 query.
+vec2 sg_texture_size(texture2D image, sampler filtering) { return vec2(textureSize(sampler2D(image, filtering), 0)); }
+
 #endif

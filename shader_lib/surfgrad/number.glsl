@@ -1,0 +1,24 @@
+// Arithmetic that every target agrees on, at the edges too.
+#ifndef SG_NUMBER
+#define SG_NUMBER
+
+// a / b.
+//   a, b: any. Result: 0 where b is 0 or not a number. Cost: 4 instructions.
+float sg_divide(float a, float b) { return abs(b) > 0.0 ? a / b : 0.0; }
+
+// a^b.
+//   a: any, b: any. Result: 0 where a <= 0 or a is not a number (pow is undefined there), also for b = 0. Cost: 5 instructions.
+float sg_power(float a, float b) { return a > 0.0 ? pow(a, b) : 0.0; }
+
+// A smooth step from 0 at `low` to 1 at `high`.
+//   low, high, x: any. Result: 0..1; falls where low > high; where they are equal a jump to 1 from x >= low on; 0 for NaN.
+// Cost: about 10 instructions.
+float sg_smoothstep(float low, float high, float x) {
+    float width = high - low;
+    float t = abs(width) > 0.0 ? (x - low) / width : (x >= low ? 1.0 : 0.0);
+    float inside = t < 1.0 ? t : 1.0;
+    float clamped = t > 0.0 ? inside : 0.0;
+    return clamped * clamped * (3.0 - 2.0 * clamped);
+}
+
+#endif
