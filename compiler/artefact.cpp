@@ -95,13 +95,9 @@ Json bindings_json(const emit::EntryInterface& interface) {
 
 Json vertex_inputs_json(const emit::EntryInterface& interface) {
     Json out = Json::array();
-    auto add = [&](const emit::Varying& varying) {
-        emit::VertexInput input = emit::vertex_input(varying);
+    for (const emit::VertexInput& input : emit::vertex_inputs(interface.varyings)) {
         out.push_back({{"name", input.name}, {"location", input.location}, {"format", input.format}});
-    };
-    bool position = !interface.varyings.empty() && interface.varyings.front().source == ir::Op::position;
-    if (!position) add({ir::Op::position, 0});
-    for (const emit::Varying& varying : interface.varyings) add(varying);
+    }
     return out;
 }
 
@@ -149,10 +145,10 @@ Json textures_json(const ArtefactInput& input) {
                        {"set", 1},
                        {"binding", slot.binding},
                        {"sampler_binding", input.interface->samplers[slot.sampler].binding},
-                       {"encoding", t.encoding == ir::TextureEncoding::tangent_normal ? "tangent_normal" : "tangent_normal_xy"},
-                       {"green", t.green_up ? "up" : "down"},
-                       {"zero", t.zero},
-                       {"color_space", "linear"}});
+                       {"encoding", ir::encoding_name(t.encoding)},
+                       {"green", t.facts.green_up ? "up" : "down"},
+                       {"zero", t.facts.zero},
+                       {"color_space", t.color_space == material::ColorSpace::srgb ? "srgb" : "linear"}});
     }
     return out;
 }
@@ -186,7 +182,7 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
                      {"name", input.material->name},
                      {"stem", input.stem},
                      {"source", {{"file", input.source_file}, {"hash", input.source_hash}}},
-                     {"two_sided", word(input.material->two_sided)},
+                     {"two_sided", word(input.material->surface.two_sided)},
                      {"entry_points", entries}};
     if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
     manifest["textures"] = textures_json(input);

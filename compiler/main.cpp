@@ -12,7 +12,8 @@
 #include "base/ice.hpp"
 #include "compile.hpp"
 #include "emit/glsl.hpp"
-#include "layers/layer_kind.hpp"
+#include "kinds.hpp"
+#include "schema.hpp"
 
 namespace {
 
@@ -111,31 +112,8 @@ int run_compile(const Options& options, bool check_only) {
     return diags.exit_code();
 }
 
-std::string range_text(const sg::layers::Field& field) {
-    using sg::layers::FieldKind;
-    switch (field.kind) {
-        case FieldKind::texture:
-            return "name of a texture";
-        case FieldKind::uv_set:
-            return fmt::format("0 to 7, default {}", field.fallback);
-        case FieldKind::choice:
-            return fmt::format("{}, default '{}'", sg::one_of(field.choices), field.choices[static_cast<std::size_t>(field.fallback)]);
-        case FieldKind::number:
-            return fmt::format("{} to {} or \"$parameter\", default {}", field.minimum, field.maximum, field.fallback);
-        case FieldKind::pair:
-            return fmt::format("{} to {}, one or two, or \"$parameter\", default {}", field.minimum, field.maximum, field.fallback);
-    }
-    SG_UNREACHABLE("a field of no kind");
-}
-
-int run_kinds() {
-    for (const sg::layers::LayerKind* kind : sg::layers::all_kinds()) {
-        fmt::print("{}: {}\n", kind->name, kind->doc);
-        for (const sg::layers::Field& field : kind->fields) {
-            fmt::print("  {:<10} {}{}{}\n             {}\n", field.name, range_text(field), field.unit.empty() ? "" : "; ",
-                       field.unit, (field.required ? "required: " : "") + std::string(field.doc));
-        }
-    }
+int print(const std::string& text) {
+    fmt::print("{}", text);
     return 0;
 }
 
@@ -201,7 +179,8 @@ int run(int argc, char** argv) {
     add_compile_options(*compile, options);
     CLI::App* check = app.add_subcommand("check", "report what is wrong with materials, write nothing");
     add_input_options(*check, options);
-    CLI::App* kinds = app.add_subcommand("kinds", "list the layer kinds and their fields");
+    CLI::App* kinds = app.add_subcommand("kinds", "list the layer and node kinds and their fields");
+    CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema (draft-07) of materials, for editors");
     app.add_subcommand("codes", "list the diagnostic codes with cause and mend");
     try {
         app.parse(spelled_out(argc, argv));
@@ -210,7 +189,8 @@ int run(int argc, char** argv) {
     }
     if (compile->parsed()) return run_compile(options, false);
     if (check->parsed()) return run_compile(options, true);
-    return kinds->parsed() ? run_kinds() : run_codes();
+    if (kinds->parsed()) return print(sg::kinds_text());
+    return schema->parsed() ? print(sg::schema_text()) : run_codes();
 }
 
 }  // namespace

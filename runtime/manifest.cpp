@@ -213,16 +213,16 @@ ParameterBlock read_block(const Node& node) {
 }
 
 TextureSlot read_texture(const Node& node) {
-    static constexpr std::array<std::string_view, 5> kEncodings = {"tangent_normal", "tangent_normal_xy",
-                                                                   "color", "mask", "height"};
-    static constexpr std::array kMeanings = {TextureSlot::Encoding::normal_xyz,
-                                             TextureSlot::Encoding::normal_xy, TextureSlot::Encoding::plain,
-                                             TextureSlot::Encoding::plain, TextureSlot::Encoding::plain};
+    // The first two average slopes; all others mean what they say at every level.
+    static constexpr std::array<std::string_view, 8> kEncodings = {"tangent_normal", "tangent_normal_xy", "derivative", "object_normal",
+                                                                   "world_normal",   "height",            "color",      "mask"};
     static constexpr std::array<std::string_view, 2> kSpaces = {"linear", "srgb"};
     TextureSlot slot{node.at("name").text_or_empty(), node.at("file").text_or_empty(),
                      node.at("hash").text_or_empty(), node.at("binding").integer(0, kMaxBinding)};
     if (node.at("set").integer(0, 2) != 1) node.fail("must be in set 1");
-    slot.encoding = kMeanings[node.at("encoding").choice(kEncodings)];
+    std::size_t encoding = node.at("encoding").choice(kEncodings);
+    if (encoding == 0) slot.encoding = TextureSlot::Encoding::normal_xyz;
+    if (encoding == 1) slot.encoding = TextureSlot::Encoding::normal_xy;
     if (slot.encoding != TextureSlot::Encoding::plain) slot.zero = node.at("zero").number(127, 128);
     slot.srgb = node.at("color_space").choice(kSpaces) == 1;
     return slot;

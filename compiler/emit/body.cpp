@@ -21,17 +21,29 @@ bool is_trivial(const Value& value) {
         case ir::Op::vertex_tangent:
         case ir::Op::constant:
         case ir::Op::parameter:
+        case ir::Op::vertex_color:
         case ir::Op::splat:
         case ir::Op::color:
         case ir::Op::zero_surfgrad:
+        case ir::Op::gradient_from_world:
+        case ir::Op::channel_of:
+        case ir::Op::rgb_of:
+        case ir::Op::noise_value:
+        case ir::Op::triplanar_axis:
+        case ir::Op::planar_weights:
             return true;
         default:
             return false;
     }
 }
 
-bool is_sum(const Value& value) { return ir::info(value.op).glsl == "{0} + {1}"; }
-bool is_product(const Value& value) { return ir::info(value.op).glsl == "{0} * {1}"; }
+// How tightly a row's text binds: sums, products, everything else. `a + t * b` counts as a sum.
+enum class Tightness { sum, product, tight };
+Tightness tightness_of(const Value& value) {
+    std::string_view glsl = ir::info(value.op).glsl;
+    if (!glsl.starts_with("{0} ")) return Tightness::tight;
+    return glsl.starts_with("{0} *") ? Tightness::product : Tightness::sum;
+}
 
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
@@ -66,8 +78,8 @@ void Body::count_uses() {
         }
     }
     for (const ir::OutputBinding& output : module_.outputs) {
-        // The frame is taken apart by its users.
-        uses_[output.value.index] += output.output == ir::Output::frame || output.output == ir::Output::uv ? 2 : 1;
+        bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output);
+        uses_[output.value.index] += taken_apart ? 2 : 1;
         if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
     }
 }
@@ -91,6 +103,14 @@ std::string Body::attribute(const Value& value) const {
             }
             return fmt::format("{}({})", ir::info(value.type).glsl, same ? float_literal(value.number[0]) : list);
         }
+        case Attribute::Count:
+            return fmt::format("{}", value.index);
+        case Attribute::Channel:
+        case Attribute::Axis:
+            return std::string(1, "xyzw"[value.index]);
+        case Attribute::Corner:
+            return fmt::format("{}, {}", value.index < 2 ? "SG_RIGHT_HAND" : "SG_LEFT_HAND",
+                               value.index % 2 == 0 ? "SG_UPPER_LEFT" : "SG_LOWER_LEFT");
         case Attribute::Texture:
         case Attribute::None:
             break;
@@ -98,14 +118,17 @@ std::string Body::attribute(const Value& value) const {
     return "";
 }
 
-// Parentheses where the tree would not survive being printed without them.
+// Parentheses where the tree would not survive being printed without them. Below a name no operand binds loosely.
 std::string Body::operand_of(const Value& parent, std::size_t index) const {
-    const Value& child = module_.at(parent.operands[index]);
     const std::string& text = expressions_[parent.operands[index].index];
-    bool binary_text = (is_sum(child) || is_product(child)) && text.find(' ') != std::string::npos;
-    bool parent_binary = is_sum(parent) || is_product(parent);
-    bool needed = binary_text && parent_binary && ((is_product(parent) && is_sum(child)) || (index == 1 && !(is_sum(parent) && is_product(child))));
-    return needed ? "(" + text + ")" : text;
+    bool is_name = text.find(' ') == std::string::npos;
+    Tightness child = tightness_of(module_.at(parent.operands[index]));
+    Tightness outer = tightness_of(parent);
+    std::string_view glsl = ir::info(parent.op).glsl;
+    bool member = glsl.starts_with("{0}.") && index == 0;
+    if (is_name || (child == Tightness::tight)) return text;
+    bool looser = child < outer || (child == outer && index > 0) || (outer == Tightness::sum && index > 1);
+    return member || (outer != Tightness::tight && looser) ? "(" + text + ")" : text;
 }
 
 std::string Body::expression(const Value& value) const {

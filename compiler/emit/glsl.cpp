@@ -13,14 +13,10 @@ namespace {
 using ir::Op;
 using ir::Output;
 
-std::string_view varying_name(const Varying& varying) { return vertex_input(varying).name; }
-
 std::vector<Varying> varyings_of(const ir::Module& module) {
     std::vector<Varying> out;
     for (const ir::Value& value : module.values) {
-        bool source = value.op == Op::position || value.op == Op::vertex_normal || value.op == Op::vertex_tangent ||
-                      value.op == Op::uv_set;
-        if (source) out.push_back({value.op, value.op == Op::uv_set ? value.index : 0});
+        if (is_varying(value.op)) out.push_back({value.op, value.op == Op::uv_set ? value.index : 0});
     }
     std::sort(out.begin(), out.end(),
               [](const Varying& a, const Varying& b) { return varying_location(a) < varying_location(b); });
@@ -44,13 +40,18 @@ std::string include_lines(const std::set<std::string_view>& includes) {
 
 // ---- vertex ----
 
+// What the vertex stage computes for a varying.
+std::string vertex_value(const Varying& v) {
+    if (v.source == Op::position) return "sg_relative_position";
+    std::string attribute = fmt::format("sg_vertex_{}", vertex_input(v).name);
+    if (v.source == Op::volume_world) return fmt::format("sg_stage_world_position({})", attribute);
+    bool as_it_is = v.source == Op::uv_set || v.source == Op::vertex_color || v.source == Op::volume_object;
+    return as_it_is ? attribute : fmt::format("sg_stage_{}({})", vertex_input(v).name, attribute);
+}
+
 std::string vertex_text(const ir::Module& module, const EntryPoint& entry, const std::vector<Varying>& varyings) {
     std::string out = head(module, "vertex", entry.name) + "#include \"stage/vertex.glsl\"\n\n";
-    std::vector<Varying> inputs = varyings;
-    bool hands_position = !inputs.empty() && inputs.front().source == Op::position;
-    if (!hands_position) inputs.insert(inputs.begin(), {Op::position, 0});
-    for (const Varying& v : inputs) {
-        VertexInput input = vertex_input(v);
+    for (const VertexInput& input : vertex_inputs(varyings)) {
         out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type, input.name);
     }
     for (const Varying& v : varyings) {
@@ -58,13 +59,7 @@ std::string vertex_text(const ir::Module& module, const EntryPoint& entry, const
                            varying_name(v));
     }
     out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
-    for (const Varying& v : varyings) {
-        std::string name(varying_name(v));
-        std::string value = fmt::format("sg_stage_{0}(sg_vertex_{0})", name);
-        if (v.source == Op::position) value = "sg_relative_position";
-        if (v.source == Op::uv_set) value = "sg_vertex_" + name;
-        out += fmt::format("    sg_out_{} = {};\n", name, value);
-    }
+    for (const Varying& v : varyings) out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
     return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
 }
 
@@ -122,24 +117,44 @@ std::string debug_tail(const ir::Module& module, const Body& body, EntryInterfac
             debug_view(out, interface, fmt::format("uv{}", output.set), 2, "uv", fmt::format("vec3({}.st, 0.0)", value));
             debug_view(out, interface, fmt::format("uv{}-derivatives", output.set), 4, "vector",
                        fmt::format("vec4({0}.dx, {0}.dy)", value));
+        } else if (output.output == Output::vertex_color) {
+            debug_view(out, interface, "vertex-color", 4, "vector", value);
+        } else if (output.output == Output::volume) {
+            std::string space = output.set == 0 ? "object-position" : "world-position";
+            debug_view(out, interface, space, 3, "position", value + ".p");
+            debug_view(out, interface, space + "-dx", 3, "vector", value + ".dx");
+            debug_view(out, interface, space + "-dy", 3, "vector", value + ".dy");
         }
     }
     return out + "    sg_out_value = sg_shown;\n";
 }
 
+// The line that drops pixels of an alpha-tested material, behind all derivatives.
+std::string alpha_test(const ir::Module& module, const Body& body) {
+    ir::ValueId cutoff = module.output(Output::cutoff);
+    if (!cutoff.valid()) return "";
+    return fmt::format("    if ({} < {}) discard;\n", body.operand(module.output(Output::opacity)), body.operand(cutoff));
+}
+
 std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body, EntryInterface& interface) {
     auto operand = [&](Output output) { return body.operand(module.output(output)); };
-    if (entry.name == "debug") return debug_tail(module, body, interface);
-    if (entry.name == "normal") return fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
+    std::string out = alpha_test(module, body);
+    if (entry.name == "debug") return out + debug_tail(module, body, interface);
+    if (entry.name == "normal") return out + fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
     SG_ASSERT(entry.name == "forward");
-    return fmt::format(
-        "    SgSurface sg_surface = SgSurface({}, {}, {});\n"
-        "    sg_out_color = sg_stage_forward(sg_surface, sg_in_position, {});\n",
-        operand(Output::base_color), operand(Output::metallic), operand(Output::roughness), operand(Output::normal));
+    return out + fmt::format(
+                     "    SgSurface sg_surface = SgSurface({}, {}, {}, {}, {});\n"
+                     "    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, {});\n"
+                     "    sg_out_color = vec4(sg_radiance, {});\n",
+                     operand(Output::base_color), operand(Output::metallic), operand(Output::roughness),
+                     operand(Output::occlusion), operand(Output::emission), operand(Output::normal),
+                     operand(Output::opacity));
 }
 
 struct Used {
     bool parameters = false;
+    bool frame_block = false;
+    bool object_block = false;
     std::vector<bool> textures;
     std::uint32_t texture_reads = 0;
 };
@@ -149,6 +164,8 @@ Used used_by(const ir::Module& module) {
     for (const ir::Value& value : module.values) {
         ir::Attribute attribute = ir::info(value.op).attribute;
         if (attribute == ir::Attribute::Parameter) used.parameters = true;
+        if (value.op == Op::time) used.frame_block = true;
+        if (value.op != Op::time && ir::info(value.op).include == "stage/object.glsl") used.object_block = true;
         if (attribute == ir::Attribute::Texture) {
             used.textures[value.index] = true;
             ++used.texture_reads;
@@ -159,7 +176,7 @@ Used used_by(const ir::Module& module) {
 
 std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& module, const MaterialInterface& material,
                                  const Used& used) {
-    std::vector<Binding> out{{0, 0, BindingKind::uniform_buffer, "SgFrameBlock", true, entry.reads_frame_block}};
+    std::vector<Binding> out{{0, 0, BindingKind::uniform_buffer, "SgFrameBlock", true, entry.reads_frame_block || used.frame_block}};
     if (used.parameters) out.push_back({1, 0, BindingKind::uniform_buffer, "SgMaterialBlock", false, true});
     std::vector<bool> samplers(material.samplers.size(), false);
     for (const TextureSlot& slot : material.textures) {
@@ -170,7 +187,7 @@ std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& modu
     for (std::size_t i = 0; i < samplers.size(); ++i) {
         if (samplers[i]) out.push_back({1, material.samplers[i].binding, BindingKind::sampler, material.samplers[i].variable, false, true});
     }
-    out.push_back({2, 0, BindingKind::uniform_buffer, "SgObjectBlock", true, false});
+    out.push_back({2, 0, BindingKind::uniform_buffer, "SgObjectBlock", true, used.object_block});
     return out;
 }
 

@@ -68,23 +68,58 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
     return out;
 }
 
+bool is_varying(ir::Op op) {
+    switch (op) {
+        case ir::Op::position:
+        case ir::Op::vertex_normal:
+        case ir::Op::vertex_tangent:
+        case ir::Op::vertex_color:
+        case ir::Op::uv_set:
+        case ir::Op::volume_object:
+        case ir::Op::volume_world:
+            return true;
+        default:
+            return false;
+    }
+}
+
 VertexInput vertex_input(const Varying& varying) {
     static constexpr std::string_view kUvNames[] = {"uv0", "uv1", "uv2", "uv3", "uv4", "uv5", "uv6", "uv7"};
     switch (varying.source) {
-        case ir::Op::position:
-            return {"position", "float3", "vec3", 0};
         case ir::Op::vertex_normal:
             return {"normal", "float3", "vec3", 1};
         case ir::Op::vertex_tangent:
             return {"tangent", "float4", "vec4", 2};
+        case ir::Op::vertex_color:
+            return {"color", "float4", "vec4", 3};
         case ir::Op::uv_set:
             return {kUvNames[varying.set], "float2", "vec2", 4 + varying.set};
         default:
-            SG_UNREACHABLE("an operation that reads no vertex attribute");
+            SG_ASSERT(is_varying(varying.source));
+            return {"position", "float3", "vec3", 0};
     }
 }
 
-// The same numbers as the vertex attributes: one table to remember.
-std::uint32_t varying_location(const Varying& varying) { return vertex_input(varying).location; }
+std::vector<VertexInput> vertex_inputs(std::span<const Varying> varyings) {
+    std::vector<VertexInput> out{vertex_input({ir::Op::position, 0})};
+    for (const Varying& varying : varyings) {
+        VertexInput input = vertex_input(varying);
+        if (input.location != out.front().location) out.push_back(input);
+    }
+    return out;
+}
+
+// The numbers of the vertex attributes; the further forms of the position stand behind them.
+std::uint32_t varying_location(const Varying& varying) {
+    if (varying.source == ir::Op::volume_object) return 12;
+    if (varying.source == ir::Op::volume_world) return 13;
+    return vertex_input(varying).location;
+}
+
+std::string_view varying_name(const Varying& varying) {
+    if (varying.source == ir::Op::volume_object) return "object_position";
+    if (varying.source == ir::Op::volume_world) return "world_position";
+    return vertex_input(varying).name;
+}
 
 }  // namespace sg::emit

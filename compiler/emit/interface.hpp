@@ -47,11 +47,12 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
 
 // ---- what one entry point uses ----
 
-// What the vertex stage hands to the fragment stage, with the vertex attribute that it comes from.
+// What the vertex stage hands to the fragment stage.
 struct Varying {
-    ir::Op source{};        // position, vertex_normal, vertex_tangent or uv_set
+    ir::Op source{};        // one of the operations that read the vertex stage
     std::uint32_t set = 0;  // of a uv_set
 };
+bool is_varying(ir::Op op);
 
 struct VertexInput {
     std::string_view name;  // of the attribute: "position", "uv0"
@@ -59,8 +60,13 @@ struct VertexInput {
     std::string_view glsl_type;
     std::uint32_t location = 0;
 };
+// The attribute that a varying is made from.
 VertexInput vertex_input(const Varying& varying);
+// All attributes that a vertex shader reads for these: position, which places the vertex, and each other one once.
+std::vector<VertexInput> vertex_inputs(std::span<const Varying> varyings);
+// Between the stages: names are "sg_out_<name>" and "sg_in_<name>".
 std::uint32_t varying_location(const Varying& varying);
+std::string_view varying_name(const Varying& varying);
 
 enum class BindingKind { uniform_buffer, texture, sampler };
 struct Binding {

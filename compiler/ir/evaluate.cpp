@@ -26,6 +26,9 @@ struct Lister {
     }
     void operator()(const ref::Uv& uv) { list(uv.st, uv.dx, uv.dy); }
     void operator()(const ref::Basis& basis) { list(basis.tangent, basis.bitangent); }
+    void operator()(const Volume& v) { list(v.p, v.dx, v.dy); }
+    void operator()(const ref::TriplanarUv& uv) { list(uv.x, uv.y, uv.z); }
+    void operator()(const ref::Noise& n) { list(n.value, n.gradient); }
 
     template <class... Parts>
     void list(const Parts&... parts) {

@@ -10,17 +10,25 @@
 
 #include "ir/ir.hpp"
 #include "ir/reference/frame.hpp"
+#include "ir/reference/noise.hpp"
 #include "ir/reference/tbn.hpp"
 #include "ir/reference/texture.hpp"
+#include "ir/reference/triplanar.hpp"
 #include "ir/reference/uv.hpp"
 
 namespace sg::ir {
 
+// A place in the space of a lookup with its screen derivatives.
+struct Volume {
+    ref::dvec3 p, dx, dy;
+};
+
 // What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL
 // column.
-using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis>;
+using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis, Volume,
+                           ref::TriplanarUv, ref::Noise>;
 inline constexpr std::array<std::string_view, std::variant_size_v<Datum>> kDatumGlsl = {
-    "float", "vec2", "vec3", "vec4", "SgFrame", "SgUv", "SgBasis"};
+    "float", "vec2", "vec3", "vec4", "SgFrame", "SgUv", "SgBasis", "SgVolume", "SgTriplanarUv", "SgNoise"};
 
 // The components of a datum in the order of its fields.
 std::vector<double> components(const Datum& datum);
@@ -34,6 +42,12 @@ struct PixelInputs {
     ref::dvec3 dpdx{1.0, 0.0, 0.0};  // of the position, per pixel
     ref::dvec3 dpdy{0.0, -1.0, 0.0};
     double facing = 1.0;  // +1 front, -1 back
+    ref::dvec4 vertex_color{1.0};
+    Volume object{};  // the pixel in object space
+    Volume world{};   // and in absolute world space
+    double time = 0.0;
+    glm::dmat3 world_from_object{1.0};   // upper 3x3
+    glm::dmat3 normal_from_object{1.0};  // its inverse transpose up to a positive factor
 };
 
 // A texture's texels and how its sampler reads them. Isotropic; the level of detail is

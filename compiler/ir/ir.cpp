@@ -36,21 +36,39 @@ constexpr OutputRow kOutputs[] = {
     {Output::base_color, "base_color", Type::Color},
     {Output::metallic, "metallic", Type::Scalar},
     {Output::roughness, "roughness", Type::Scalar},
+    {Output::occlusion, "occlusion", Type::Scalar},
+    {Output::emission, "emission", Type::Color},
+    {Output::opacity, "opacity", Type::Scalar},
+    {Output::cutoff, "cutoff", Type::Scalar},
     {Output::frame, "frame", Type::Frame},
     {Output::gradient, "gradient", Type::SurfGrad},
     {Output::basis_vertex, "basis_vertex", Type::Basis},
+    {Output::vertex_color, "vertex_color", Type::Vec4},
     {Output::uv, "uv", Type::Uv},
+    {Output::volume, "volume", Type::Volume},
 };
-constexpr Output kOutputOrder[] = {Output::normal,    Output::base_color, Output::metallic,     Output::roughness,
-                                   Output::frame,     Output::gradient,   Output::basis_vertex, Output::uv};
+constexpr Output kOutputOrder[] = {Output::normal,   Output::base_color, Output::metallic,  Output::roughness,
+                                   Output::occlusion, Output::emission,  Output::opacity,   Output::cutoff,
+                                   Output::frame,    Output::gradient, Output::basis_vertex, Output::vertex_color,
+                                   Output::uv,       Output::volume};
+constexpr std::string_view kEncodings[] = {"tangent_normal", "tangent_normal_xy", "derivative", "object_normal",
+                                           "world_normal",   "height",            "color",      "mask"};
 
 }  // namespace
+
+bool is_index(Attribute attribute) {
+    return attribute != Attribute::None && attribute != Attribute::Zero && attribute != Attribute::Number;
+}
+
+std::string_view encoding_name(TextureEncoding encoding) { return kEncodings[static_cast<std::size_t>(encoding)]; }
+std::span<const std::string_view> encoding_names() { return kEncodings; }
 
 const TypeInfo& info(Type type) { return types()[static_cast<std::size_t>(type)]; }
 std::span<const TypeInfo> all_types() { return std::span(types()).first(types().size() - 1); }
 const OpInfo& info(Op op) { return ops()[static_cast<std::size_t>(op)]; }
 std::span<const OpInfo> all_ops() { return ops(); }
 
+bool is_numbered(Output output) { return output == Output::uv || output == Output::volume; }
 std::string_view output_name(Output output) { return kOutputs[static_cast<std::size_t>(output)].name; }
 Type output_type(Output output) { return kOutputs[static_cast<std::size_t>(output)].type; }
 std::span<const Output> all_outputs() { return kOutputOrder; }
@@ -96,8 +114,8 @@ ValueId Builder::add_indexed(Op op, std::uint32_t index, std::vector<ValueId> op
                  .name = std::move(name)});
 }
 
-ValueId Builder::add_zero(Op op, double zero, ValueId operand, std::string name) {
-    return push({.op = op, .type = info(op).result, .operands = {operand}, .number = {zero}, .name = std::move(name)});
+ValueId Builder::add_zero(Op op, double zero, std::vector<ValueId> operands, std::string name) {
+    return push({.op = op, .type = info(op).result, .operands = std::move(operands), .number = {zero}, .name = std::move(name)});
 }
 
 ValueId Builder::constant(Type type, std::array<double, 4> number) {

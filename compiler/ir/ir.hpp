@@ -38,7 +38,9 @@ enum class Op : std::uint8_t {
 #undef SG_OP
 };
 
-enum class Attribute : std::uint8_t { None, Set, Texture, Parameter, Zero, Number };
+enum class Attribute : std::uint8_t { None, Set, Texture, Parameter, Zero, Number, Count, Channel, Axis, Corner };
+// Whether Value::index holds the attribute.
+bool is_index(Attribute attribute);
 
 struct TypeInfo {
     std::string_view name;
@@ -64,7 +66,18 @@ std::span<const OpInfo> all_ops();
 struct Value;
 using ValueId = Id<Value>;
 
-enum class TextureEncoding : std::uint8_t { tangent_normal, tangent_normal_xy };
+enum class TextureEncoding : std::uint8_t {
+    tangent_normal,
+    tangent_normal_xy,
+    derivative,
+    object_normal,
+    world_normal,
+    height,
+    color,
+    mask
+};
+std::string_view encoding_name(TextureEncoding encoding);
+std::span<const std::string_view> encoding_names();  // in the order of the enumeration
 
 // A texture as the shader sees it. The file and the sampler's settings stay with the material.
 struct Texture {
@@ -90,21 +103,38 @@ struct Value {
     Op op{};
     Type type{};
     std::vector<ValueId> operands;
-    std::uint32_t index = 0;           // Set, Texture, Parameter: which
+    std::uint32_t index = 0;           // every attribute but Zero and Number
     std::array<double, 4> number{};    // Zero: [0]; Number: as many as the type has
     std::string name;                  // a hint for generated text, may be empty, need not be unique
     LayerId layer;                     // invalid: belongs to no layer
 };
 
 // What may leave a module, with the type it must have.
-enum class Output : std::uint8_t { normal, base_color, metallic, roughness, frame, gradient, basis_vertex, uv };
+enum class Output : std::uint8_t {
+    normal,
+    base_color,
+    metallic,
+    roughness,
+    occlusion,
+    emission,
+    opacity,
+    cutoff,  // below this opacity nothing is drawn; absent without alpha test
+    frame,
+    gradient,
+    basis_vertex,
+    vertex_color,
+    uv,
+    volume
+};
 
 struct OutputBinding {
     Output output{};
-    std::uint32_t set = 0;  // of Output::uv: which uv set
+    std::uint32_t set = 0;  // of Output::uv: which uv set; of Output::volume: 0 object space, 1 world space
     ValueId value;
     bool operator==(const OutputBinding&) const = default;
 };
+// Whether OutputBinding::set counts.
+bool is_numbered(Output output);
 std::string_view output_name(Output output);
 Type output_type(Output output);
 std::span<const Output> all_outputs();
@@ -130,7 +160,7 @@ public:
     explicit Builder(Module& module) : module_(module) {}
     ValueId add(Op op, std::vector<ValueId> operands = {}, std::string name = "");
     ValueId add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands = {}, std::string name = "");
-    ValueId add_zero(Op op, double zero, ValueId operand, std::string name = "");
+    ValueId add_zero(Op op, double zero, std::vector<ValueId> operands, std::string name = "");
     ValueId constant(Type type, std::array<double, 4> number);
     ValueId parameter(ParameterId parameter);
     void set_layer(LayerId layer) { layer_ = layer; }

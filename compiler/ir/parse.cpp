@@ -142,11 +142,9 @@ private:
         if (in.number<std::size_t>() != module.textures.size()) in.fail("textures must be numbered in order");
         std::string name = in.quoted('"');
         std::string_view encoding = in.word();
-        if (encoding != "tangent_normal" && encoding != "tangent_normal_xy") {
-            in.fail(fmt::format("unknown encoding '{}'", encoding));
-        }
-        module.textures.push_back({std::move(name), encoding == "tangent_normal" ? TextureEncoding::tangent_normal
-                                                                                 : TextureEncoding::tangent_normal_xy});
+        auto i = index_of(encoding_names(), encoding, [](std::string_view n) { return n; });
+        if (!i) in.fail(fmt::format("unknown encoding '{}'", encoding));
+        module.textures.push_back({std::move(name), static_cast<TextureEncoding>(i.value_or(0))});
     }
 
     void layer(LineReader& in) {
@@ -167,14 +165,14 @@ private:
         auto i = index_of(all_outputs(), word, [](Output o) { return output_name(o); });
         if (!i) return in.fail(fmt::format("unknown output '{}'", word));
         OutputBinding binding{.output = all_outputs()[*i]};
-        if (binding.output == Output::uv) binding.set = in.number<std::uint32_t>();
+        if (is_numbered(binding.output)) binding.set = in.number<std::uint32_t>();
         in.expect('=');
         binding.value = in.value_id();
         module.outputs.push_back(binding);
     }
 
     void attribute(LineReader& in, Value& value, Attribute kind) {
-        if (kind == Attribute::Set || kind == Attribute::Texture || kind == Attribute::Parameter) {
+        if (is_index(kind)) {
             value.index = in.number<std::uint32_t>();
         } else if (kind == Attribute::Zero) {
             value.number[0] = in.number<double>();

@@ -21,22 +21,12 @@ std::string quoted(std::string_view text, char quote) {
 }
 
 std::string attribute_text(const Value& value) {
-    switch (info(value.op).attribute) {
-        case Attribute::Set:
-        case Attribute::Texture:
-        case Attribute::Parameter:
-            return fmt::format(" {}", value.index);
-        case Attribute::Zero:
-            return fmt::format(" {}", value.number[0]);
-        case Attribute::Number: {
-            std::string out;
-            for (std::size_t i = 0; i < component_count(value.type); ++i) out += fmt::format(" {}", value.number[i]);
-            return out;
-        }
-        case Attribute::None:
-            break;
-    }
-    return "";
+    Attribute attribute = info(value.op).attribute;
+    if (is_index(attribute)) return fmt::format(" {}", value.index);
+    std::size_t count = attribute == Attribute::Zero ? 1 : attribute == Attribute::Number ? component_count(value.type) : 0;
+    std::string out;
+    for (std::size_t i = 0; i < count; ++i) out += fmt::format(" {}", value.number[i]);
+    return out;
 }
 
 std::string value_line(std::size_t i, const Value& value) {
@@ -54,7 +44,7 @@ std::string print(const Module& module) {
     for (std::size_t i = 0; i < module.textures.size(); ++i) {
         const Texture& texture = module.textures[i];
         out += fmt::format("texture {} {} {}\n", i, quoted(texture.name, '"'),
-                           texture.encoding == TextureEncoding::tangent_normal ? "tangent_normal" : "tangent_normal_xy");
+                           encoding_name(texture.encoding));
     }
     for (std::size_t i = 0; i < module.parameters.size(); ++i) {
         const Parameter& parameter = module.parameters[i];
@@ -72,7 +62,7 @@ std::string print(const Module& module) {
         out += value_line(i, value);
     }
     for (const OutputBinding& binding : module.outputs) {
-        std::string set = binding.output == Output::uv ? fmt::format(" {}", binding.set) : "";
+        std::string set = is_numbered(binding.output) ? fmt::format(" {}", binding.set) : "";
         out += fmt::format("output {}{} = %{}\n", output_name(binding.output), set, binding.value.index);
     }
     return out;

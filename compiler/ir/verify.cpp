@@ -60,9 +60,23 @@ struct Verifier {
                     if (!std::isfinite(n)) fault(where, "a constant is not finite");
                 }
                 break;
+            case Attribute::Count:
+                below(value, 65, "count", where);
+                break;
+            case Attribute::Channel:
+            case Attribute::Corner:
+                below(value, 4, "channel or corner", where);
+                break;
+            case Attribute::Axis:
+                below(value, 3, "axis", where);
+                break;
             case Attribute::None:
                 break;
         }
+    }
+
+    void below(const Value& value, std::uint32_t limit, std::string_view what, const std::string& where) {
+        if (value.index >= limit) fault(where, fmt::format("{} {} is not in 0..{}", what, value.index, limit - 1));
     }
 
     void value(std::size_t i) {
@@ -92,6 +106,7 @@ struct Verifier {
             fault(where, fmt::format("takes {}, found {} (%{})", info(output_type(binding.output)).name,
                                      info(found).name, binding.value.index));
         }
+        if (binding.set > (binding.output == Output::uv ? 7u : binding.output == Output::volume ? 1u : 0u)) fault(where, "has no such number");
         for (std::size_t j = 0; j < i; ++j) {
             if (module.outputs[j].output == binding.output && module.outputs[j].set == binding.set) {
                 fault(where, "is set twice");

@@ -1,13 +1,19 @@
 // THE table of layer kinds. A new kind is one line in each list and one file beside this one.
-#include "layers/layer_kind.hpp"
+#include "layers/kind.hpp"
 
 namespace sg::layers {
 
 const LayerKind& normal_map();
+const LayerKind& derivative_map();
+const LayerKind& object_normal_map();
+const LayerKind& height_map();
+const LayerKind& triplanar();
+const LayerKind& planar();
+const LayerKind& noise();
 
 std::span<const LayerKind* const> all_kinds() {
     static const LayerKind* const kKinds[] = {
-        &normal_map(),
+        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(), &planar(), &noise(),
     };
     return kKinds;
 }
@@ -17,6 +23,29 @@ const LayerKind* find_kind(std::string_view name) {
         if (kind->name == name) return kind;
     }
     return nullptr;
+}
+
+std::span<const Field> common_fields() {
+    static const Field kFields[] = {
+        {.name = "strength",
+         .kind = FieldKind::number,
+         .fallback = 1,
+         .minimum = -1000,
+         .maximum = 1000,
+         .doc = "factor on the bump (its unit stands with the kind); negative values press it in"},
+        {.name = "mask",
+         .kind = FieldKind::number,
+         .fallback = 1,
+         .minimum = 0,
+         .maximum = 1,
+         .doc = "how much of the layer shows"},
+        {.name = "blend",
+         .kind = FieldKind::choice,
+         .fallback = kBlendAdd,
+         .choices = {"add", "mix"},
+         .doc = "add the layer to those before it, or go from those to it by its mask"},
+    };
+    return kFields;
 }
 
 }  // namespace sg::layers

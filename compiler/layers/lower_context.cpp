@@ -2,12 +2,33 @@
 
 #include <fmt/core.h>
 
+#include <numbers>
 #include <utility>
+
+#include "base/ice.hpp"
 
 namespace sg::layers {
 
 using ir::Op;
+using ir::Type;
 using ir::ValueId;
+
+LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes,
+                           bool mirror)
+    : builder_(builder), facts_(std::move(facts)), nodes_(std::move(nodes)), node_values_(nodes_.size()), mirror_(mirror) {}
+
+void LowerContext::set_layer(ir::LayerId layer) {
+    layer_ = layer;
+    builder_.set_layer(layer);
+}
+
+void LowerContext::begin_stage(ValueId resolved_normal) {
+    normals_.push_back(resolved_normal);
+    frames_.emplace_back();
+    bases_.emplace_back();
+    // Nodes may look at the normal: those of the next stage see the new one.
+    node_values_.assign(nodes_.size(), {});
+}
 
 // Makes a value outside any layer, once. Calls nest: the layer comes back when the outermost is done.
 template <class Make>
@@ -15,63 +36,143 @@ ValueId LowerContext::shared(ValueId& slot, Make make) {
     if (slot.valid()) return slot;
     ir::LayerId before = std::exchange(layer_, ir::LayerId{});
     builder_.set_layer(layer_);
-    slot = make();
+    ValueId made = make();  // may move `slot`'s container, but never the slot of a container that is filled here
+    slot = made;
     set_layer(before);
-    return slot;
+    return made;
 }
 
 ValueId LowerContext::vertex_normal() {
     return shared(vertex_normal_, [&] { return builder_.add(Op::vertex_normal); });
 }
 
+ValueId LowerContext::position() {
+    return shared(position_, [&] { return builder_.add(Op::position); });
+}
+
 ValueId LowerContext::facing() {
     return shared(facing_, [&] { return builder_.add(Op::facing, {}, "facing"); });
 }
 
+ValueId LowerContext::time() {
+    return shared(time_, [&] { return builder_.add(Op::time, {}, "time"); });
+}
+
+ValueId LowerContext::vertex_color() {
+    return shared(vertex_color_, [&] { return builder_.add(Op::vertex_color); });
+}
+
 ValueId LowerContext::normal() {
-    return shared(normal_, [&] {
+    return shared(normals_.back(), [&] {
         ValueId base = builder_.add(Op::base_normal, {vertex_normal()}, "base_normal");
         return mirror_ ? builder_.add(Op::mirror_normal, {base, facing()}, "base_normal") : base;
     });
 }
 
-ValueId LowerContext::frame() {
-    return shared(frame_, [&] {
-        ValueId n = normal();
-        return builder_.add(Op::frame, {builder_.add(Op::position), n}, "frame");
+ValueId LowerContext::first_frame() {
+    return shared(frames_.front(), [&] {
+        ValueId n = normals_.size() == 1 ? normal() : normals_.front();
+        return builder_.add(Op::frame, {position(), n}, "frame");
     });
+}
+
+ValueId LowerContext::frame() {
+    if (frames_.size() == 1) return first_frame();
+    return shared(frames_.back(), [&] { return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame"); });
 }
 
 ValueId LowerContext::basis_vertex() {
-    return shared(basis_vertex_, [&] {
+    ValueId tangents = shared(vertex_tangents_, [&] {
         ValueId n = vertex_normal();
         return builder_.add(Op::basis_vertex, {n, builder_.add(Op::vertex_tangent)}, "basis_vertex");
     });
+    if (bases_.size() == 1) return tangents;
+    return shared(bases_.back(), [&] { return builder_.add(Op::basis_resolved, {tangents, normal()}, "basis_vertex"); });
 }
 
-ValueId LowerContext::uv(std::uint32_t set) {
-    return shared(uvs_[set], [&] { return builder_.add_indexed(Op::uv_set, set, {}, fmt::format("uv{}", set)); });
+ValueId LowerContext::uv_set(std::uint32_t set) {
+    return shared(uv_sets_[set], [&] { return builder_.add_indexed(Op::uv_set, set, {}, fmt::format("uv{}", set)); });
 }
+
+ValueId LowerContext::uv(const Coordinate& c) {
+    ValueId base = uv_set(c.set);
+    if (c.is_plain()) return base;
+    ValueId scale = builder_.constant(Type::Vec2, {c.scale[0], c.scale[1]});
+    bool moves = c.speed != std::array{0.0, 0.0};
+    if (c.rotation == 0 && c.offset == std::array{0.0, 0.0} && !moves) return builder_.add(Op::uv_scale, {base, scale}, "uv");
+    ValueId offset = builder_.constant(Type::Vec2, {c.offset[0], c.offset[1]});
+    if (moves) {
+        ValueId speed = builder_.constant(Type::Vec2, {c.speed[0], c.speed[1]});
+        offset = builder_.add(Op::drift, {offset, speed, time()}, "drift");
+    }
+    ValueId rotation = constant(c.rotation * std::numbers::pi / 180);
+    return builder_.add(Op::uv_transform, {base, scale, rotation, offset}, "uv");
+}
+
+ValueId LowerContext::volume(Space space) {
+    bool object = space == Space::object;
+    return shared(volumes_[static_cast<std::size_t>(space)], [&] {
+        return builder_.add(object ? Op::volume_object : Op::volume_world, {}, object ? "object" : "world");
+    });
+}
+
+ValueId LowerContext::constant(double number) { return builder_.constant(Type::Scalar, {number}); }
 
 ValueId LowerContext::number(const FieldValue& value) {
-    return value.parameter.valid() ? builder_.parameter(value.parameter)
-                                   : builder_.constant(ir::Type::Scalar, {value.number[0]});
+    if (value.node.valid()) return node(value.node, Type::Scalar);
+    return value.parameter.valid() ? builder_.parameter(value.parameter) : constant(value.number[0]);
 }
 
 ValueId LowerContext::pair(const FieldValue& value) {
-    if (!value.parameter.valid()) return builder_.constant(ir::Type::Vec2, {value.number[0], value.number[1]});
+    if (!value.parameter.valid()) return builder_.constant(Type::Vec2, {value.number[0], value.number[1]});
     ValueId parameter = builder_.parameter(value.parameter);
-    bool scalar = builder_.module().at(parameter).type == ir::Type::Scalar;
+    bool scalar = builder_.module().at(parameter).type == Type::Scalar;
     return scalar ? builder_.add(Op::splat, {parameter}) : parameter;
 }
 
-ValueId LowerContext::normal_map_deriv(ir::TextureId texture, ValueId uv) {
-    const TextureFacts& facts = facts_[texture.index];
-    bool xyz = builder_.module().textures[texture.index].encoding == ir::TextureEncoding::tangent_normal;
+ValueId LowerContext::color(const FieldValue& value) {
+    if (value.node.valid()) return node(value.node, Type::Color);
+    if (!value.parameter.valid()) {
+        return builder_.constant(Type::Color, {value.number[0], value.number[1], value.number[2]});
+    }
+    ValueId parameter = builder_.parameter(value.parameter);
+    bool is_color = builder_.module().at(parameter).type == Type::Color;
+    return is_color ? parameter : builder_.add(Op::color, {parameter});
+}
+
+// Each node is lowered once per stage, so that sharing costs nothing.
+ValueId LowerContext::node(NodeId id, Type wanted) {
+    const NodeInstance& instance = nodes_[id.index];
+    ValueId value = shared(node_values_[id.index], [&] {
+        ValueId made = instance.kind->lower(*this, instance.values);
+        ir::Value& last = builder_.module().values[made.index];
+        if (last.name.empty()) last.name = instance.name;
+        return made;
+    });
+    if (builder_.module().at(value).type == wanted) return value;
+    SG_ASSERT(wanted == Type::Color);  // the check refuses a colour where a number is wanted
+    return builder_.add(Op::grey, {value});
+}
+
+ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
+    using enum ir::TextureEncoding;
+    const TextureFacts& f = facts_[texture.index];
+    ir::TextureEncoding encoding = builder_.module().textures[texture.index].encoding;
     ValueId texel = builder_.add_indexed(Op::sample, texture.index, {uv}, "texel");
-    ValueId m = builder_.add_zero(xyz ? Op::decode_normal_xyz : Op::decode_normal_xy, facts.zero, texel, "m");
-    ValueId deriv = builder_.add(xyz ? Op::deriv_from_normal_xyz : Op::deriv_from_normal_xy, {m}, "deriv");
-    return facts.green_up ? builder_.add(Op::deriv_green_up, {deriv}, "deriv") : deriv;
+    ValueId deriv;
+    if (encoding == derivative) {
+        deriv = builder_.add_zero(Op::decode_derivative, f.zero, {texel, constant(f.range)}, "deriv");
+    } else {
+        bool xyz = encoding == tangent_normal;
+        ValueId m = builder_.add_zero(xyz ? Op::decode_normal_xyz : Op::decode_normal_xy, f.zero, {texel}, "m");
+        deriv = builder_.add(xyz ? Op::deriv_from_normal_xyz : Op::deriv_from_normal_xy, {m}, "deriv");
+    }
+    return f.green_up ? builder_.add(Op::deriv_green_up, {deriv}, "deriv") : deriv;
+}
+
+ValueId LowerContext::surfgrad_from_local(ValueId local_gradient, Space space) {
+    ValueId gradient = builder_.add(space == Space::object ? Op::gradient_from_object : Op::gradient_from_world, {local_gradient});
+    return builder_.add(Op::surfgrad_from_volume, {normal(), gradient});
 }
 
 }  // namespace sg::layers

@@ -1,4 +1,4 @@
-// What a layer's lowering may ask for: values of the surface that all layers share, made once.
+// What a layer's lowering may ask for: values of the surface that all layers share, made once per stage.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ir/ir.hpp"
-#include "layers/layer_kind.hpp"
+#include "layers/kind.hpp"
 
 namespace sg::layers {
 
@@ -14,45 +14,77 @@ namespace sg::layers {
 struct TextureFacts {
     bool green_up = true;
     double zero = 127.5;  // the 8-bit code that means 0: 127, 127.5 or 128
+    double range = 1;     // of a derivative map: the slope that 1 means
 };
+
+// A node of the material's graph with its checked values.
+struct NodeInstance {
+    const NodeKind* kind = nullptr;
+    std::vector<FieldValue> values;
+    std::string name;  // "" for one written in place
+};
+
+enum class Space : std::uint32_t { object, world };
 
 class LowerContext {
 public:
     // `facts` has one entry per texture of the module. `mirror`: the base normal turns to the visible side.
-    LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, bool mirror)
-        : builder_(builder), facts_(std::move(facts)), mirror_(mirror) {}
+    LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes, bool mirror);
 
     ir::Builder& builder() { return builder_; }
     // Values that are made from here on belong to this layer; shared ones belong to none.
-    void set_layer(ir::LayerId layer) {
-        layer_ = layer;
-        builder_.set_layer(layer);
-    }
+    void set_layer(ir::LayerId layer);
+    // The next stage starts from a resolved normal: new frame, new tangents.
+    void begin_stage(ir::ValueId resolved_normal);
 
+    // Of the stage.
     ir::ValueId normal();
     ir::ValueId frame();
-    ir::ValueId facing();
     ir::ValueId basis_vertex();
-    ir::ValueId uv(std::uint32_t set);
+    // Of the mesh.
+    ir::ValueId position();
+    ir::ValueId facing();
+    ir::ValueId time();
+    ir::ValueId vertex_color();
+    ir::ValueId uv(const Coordinate& coordinate);
+    ir::ValueId volume(Space space);
+
+    ir::ValueId constant(double number);
     ir::ValueId number(const FieldValue& value);
     ir::ValueId pair(const FieldValue& value);
-    // The derivative that a normal map of any encoding stores at a coordinate.
-    ir::ValueId normal_map_deriv(ir::TextureId texture, ir::ValueId uv);
+    ir::ValueId color(const FieldValue& value);
+    // The derivative that a map of tangent normals or derivatives stores at a coordinate, along +s and +t.
+    ir::ValueId map_deriv(ir::TextureId texture, ir::ValueId uv);
+    [[nodiscard]] const TextureFacts& facts(ir::TextureId texture) const { return facts_[texture.index]; }
+    // A gradient of the lookup's space in world axes, projected.
+    ir::ValueId surfgrad_from_local(ir::ValueId local_gradient, Space space);
 
-    [[nodiscard]] bool has_basis_vertex() const { return basis_vertex_.valid(); }
-    [[nodiscard]] const std::map<std::uint32_t, ir::ValueId>& uvs() const { return uvs_; }
+    [[nodiscard]] bool has_basis_vertex() const { return vertex_tangents_.valid(); }
+    ir::ValueId first_frame();  // of the mesh, before any resolve
+    ir::ValueId vertex_tangents() const { return vertex_tangents_; }
+    // Invalid where no layer asked for it.
+    [[nodiscard]] ir::ValueId made_vertex_color() const { return vertex_color_; }
+    [[nodiscard]] ir::ValueId made_volume(Space space) const { return volumes_[static_cast<std::size_t>(space)]; }
+    [[nodiscard]] const std::map<std::uint32_t, ir::ValueId>& uv_sets() const { return uv_sets_; }
 
 private:
     template <class Make>
     ir::ValueId shared(ir::ValueId& slot, Make make);
+    ir::ValueId node(NodeId id, ir::Type wanted);
+    ir::ValueId vertex_normal();
+    ir::ValueId uv_set(std::uint32_t set);
 
     ir::Builder& builder_;
     std::vector<TextureFacts> facts_;
+    std::vector<NodeInstance> nodes_;
+    std::vector<ir::ValueId> node_values_;
     bool mirror_;
     ir::LayerId layer_;
-    ir::ValueId vertex_normal_, normal_, frame_, facing_, basis_vertex_;
-    ir::ValueId vertex_normal();
-    std::map<std::uint32_t, ir::ValueId> uvs_;
+    ir::ValueId vertex_normal_, position_, facing_, time_, vertex_color_, vertex_tangents_;
+    std::array<ir::ValueId, 2> volumes_;
+    std::map<std::uint32_t, ir::ValueId> uv_sets_;
+    // By stage; the last is the current one.
+    std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};
 };
 
 }  // namespace sg::layers

@@ -1,70 +1,100 @@
-// normal_map: a tangent-space normal map on any uv set.
-#include "layers/layer_kind.hpp"
+// normal_map: a tangent-space normal map on any uv set. derivative_map: the same from stored derivatives.
+#include "layers/kind.hpp"
 #include "layers/lower_context.hpp"
 
 namespace sg::layers {
 namespace {
 
-enum FieldIndex : std::size_t { kTexture, kUv, kBasis, kTiling, kStrength };
+enum FieldIndex : std::size_t { kTexture, kUv, kBasis, kTiling, kScale };
 enum BasisChoice : std::uint32_t { kBasisUv, kBasisVertex };
+enum ScaleChoice : std::uint32_t { kScaleSlope, kScaleDependent };
 
-std::optional<FieldFault> check(std::span<const FieldValue> values) {
-    if (values[kBasis].index == kBasisVertex && values[kUv].index != 0) {
+std::optional<FieldFault> check(FieldValues values) {
+    if (values[kBasis].index == kBasisVertex && values[kUv].uv.set != 0) {
         return FieldFault{kBasis, "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
+    }
+    if (values[kBasis].index == kBasisVertex && values[kUv].uv.rotation != 0) {
+        return FieldFault{kBasis, "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
+    }
+    if (values[kScale].index == kScaleDependent && values[kBasis].given) {
+        return FieldFault{kBasis, "a scale-dependent map needs no basis, expected \"scale\": \"slope\" beside it"};
     }
     return std::nullopt;
 }
 
-ir::ValueId lower(LowerContext& context, std::span<const FieldValue> values) {
+ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     const FieldValue& tiling = values[kTiling];
-    bool tiled = tiling.parameter.valid() || tiling.number != std::array{1.0, 1.0};
+    const Coordinate& coordinate = values[kUv].uv;
+    bool tiled = tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
     bool from_vertex = values[kBasis].index == kBasisVertex;
+    bool scale_dependent = values[kScale].index == kScaleDependent;
 
-    ir::ValueId uv = context.uv(values[kUv].index);
-    ir::ValueId basis = from_vertex ? context.basis_vertex() : ir::ValueId{};
+    ir::ValueId basis = from_vertex && !scale_dependent ? context.basis_vertex() : ir::ValueId{};
+    ir::ValueId frame = from_vertex && !scale_dependent ? ir::ValueId{} : context.frame();
+    ir::ValueId uv = context.uv(coordinate);
+    auto turn = [&](ir::ValueId scale) {
+        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by themselves.
+        if (basis.valid()) basis = builder.add(ir::Op::basis_mirror, {basis, scale}, "basis");
+    };
+    if (coordinate.scale != std::array{1.0, 1.0}) turn(builder.constant(ir::Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
     if (tiled) {
         ir::ValueId scale = context.pair(tiling);
         uv = builder.add(ir::Op::uv_scale, {uv, scale}, "uv");
-        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by themselves.
-        if (from_vertex) basis = builder.add(ir::Op::basis_mirror, {basis, scale}, "basis");
+        turn(scale);
     }
-    if (!from_vertex) basis = builder.add(ir::Op::basis_uv, {context.frame(), uv}, "basis");
-
-    ir::ValueId deriv = context.normal_map_deriv({values[kTexture].index}, uv);
-    deriv = builder.add(ir::Op::scale_deriv, {context.number(values[kStrength]), deriv}, "deriv");
+    ir::ValueId deriv = context.map_deriv({values[kTexture].index}, uv);
+    if (scale_dependent) return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index, {frame, uv, deriv});
+    if (!from_vertex) basis = builder.add(ir::Op::basis_uv, {frame, uv}, "basis");
     return builder.add(ir::Op::surfgrad_from_tbn, {deriv, basis});
+}
+
+std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::string_view texture_doc) {
+    return {{.name = "texture",
+             .kind = FieldKind::texture,
+             .required = true,
+             .encodings = std::move(encodings),
+             .doc = texture_doc},
+            {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that places the map, or an object that transforms one"},
+            {.name = "basis",
+             .kind = FieldKind::choice,
+             .fallback = kBasisUv,
+             .choices = {"uv", "vertex"},
+             .doc = "tangents from the derivatives of the uv set, or mikkTSpace-compliant from the vertex (uv 0 only)"},
+            {.name = "tiling",
+             .kind = FieldKind::pair,
+             .fallback = 1,
+             .minimum = -10000,
+             .maximum = 10000,
+             .unit = "repeats per uv unit",
+             .doc = "how often the map repeats along s and t; negative values mirror"},
+            {.name = "scale",
+             .kind = FieldKind::choice,
+             .fallback = kScaleSlope,
+             .choices = {"slope", "displacement"},
+             .doc = "slope: strength is a factor on the slope, whatever the tiling; displacement: strength is the world "
+                    "length of a height of one texel, and tiling and object size count (Eq 7)"}};
 }
 
 }  // namespace
 
 const LayerKind& normal_map() {
+    using enum ir::TextureEncoding;
     static const LayerKind kRow{
         .name = "normal_map",
         .doc = "a tangent-space normal map on a uv set",
-        .fields = {{.name = "texture",
-                    .kind = FieldKind::texture,
-                    .required = true,
-                    .doc = "the map, of encoding tangent_normal or tangent_normal_xy"},
-                   {.name = "uv", .kind = FieldKind::uv_set, .doc = "the uv set that places the map"},
-                   {.name = "basis",
-                    .kind = FieldKind::choice,
-                    .fallback = kBasisUv,
-                    .choices = {"uv", "vertex"},
-                    .doc = "tangents from the derivatives of the uv set, or mikkTSpace-compliant from the vertex (uv 0 only)"},
-                   {.name = "tiling",
-                    .kind = FieldKind::pair,
-                    .fallback = 1,
-                    .minimum = -10000,
-                    .maximum = 10000,
-                    .unit = "repeats per uv unit",
-                    .doc = "how often the map repeats along s and t; negative values mirror; does not change the slope"},
-                   {.name = "strength",
-                    .kind = FieldKind::number,
-                    .fallback = 1,
-                    .minimum = -1000,
-                    .maximum = 1000,
-                    .doc = "factor on the slope; negative values press the bumps in"}},
+        .fields = fields({tangent_normal, tangent_normal_xy}, "the map"),
+        .check = check,
+        .lower = lower,
+    };
+    return kRow;
+}
+
+const LayerKind& derivative_map() {
+    static const LayerKind kRow{
+        .name = "derivative_map",
+        .doc = "a map of stored derivatives on a uv set",
+        .fields = fields({ir::TextureEncoding::derivative}, "the map; its range is the slope that 1 means"),
         .check = check,
         .lower = lower,
     };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "layers/lower_context.hpp"
 #include "material/material.hpp"
 
 namespace sg::material {
@@ -26,32 +27,32 @@ struct CheckedTexture {
     std::string file;  // as written
     std::string hash;  // of the file's bytes
     ir::TextureEncoding encoding{};
-    bool green_up = true;
-    double zero = 127.5;
+    layers::TextureFacts facts;
+    ColorSpace color_space = ColorSpace::linear;
     SamplerDecl sampler;
 };
 
 struct CheckedLayer {
     std::string id;  // unique; "layer 2" where none was given
-    const layers::LayerKind* kind = nullptr;
-    std::vector<layers::FieldValue> values;  // one per field of the kind
+    const layers::LayerKind* kind = nullptr;      // null for a group
+    std::vector<layers::FieldValue> values;       // one per field of the kind
+    std::vector<layers::FieldValue> common;       // one per common field
+    std::vector<CheckedLayer> group;
 };
 
-// A number or a parameter, of the count that its use needs.
-struct CheckedNumber {
-    std::array<double, 4> numbers{};
-    ir::ParameterId parameter;
+struct CheckedSurface {
+    layers::FieldValue base_color, metallic, roughness, occlusion, emission, opacity;
+    std::optional<double> alpha_test;
+    TwoSided two_sided = TwoSided::off;
 };
 
 struct CheckedMaterial {
     std::string name;
     std::vector<CheckedParameter> parameters;
-    std::vector<CheckedTexture> textures;  // those that a layer uses, in the order of the file
-    std::vector<CheckedLayer> layers;
-    CheckedNumber base_color;
-    CheckedNumber metallic;
-    CheckedNumber roughness;
-    TwoSided two_sided = TwoSided::off;
+    std::vector<CheckedTexture> textures;  // those that a layer or node names, in the order of the file
+    std::vector<layers::NodeInstance> nodes;
+    std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
+    CheckedSurface surface;
 };
 
 // Where files may be: the material's own folder first, then each -I root.
@@ -61,8 +62,9 @@ struct Roots {
 
 inline constexpr std::size_t kMaxTextures = 64;
 inline constexpr std::size_t kMaxLayers = 256;
+inline constexpr std::size_t kMaxStages = 8;
 
-// Reports unknown names, wrong encodings and parameter types, duplicate ids, files that are missing or out of bounds.
+// Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of bounds.
 // Empty exactly when it added an error.
 std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots, Diags& diags);
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "base/ice.hpp"
 #include "layers/lower_context.hpp"
 #include "material/checked.hpp"
@@ -10,57 +8,115 @@ namespace {
 using ir::Op;
 using ir::ValueId;
 
-ir::Module declarations(const CheckedMaterial& material) {
-    ir::Module module;
-    module.name = material.name;
-    for (const CheckedParameter& p : material.parameters) module.parameters.push_back({p.name, ir_type(p.type)});
-    for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
-    for (const CheckedLayer& layer : material.layers) module.layers.push_back({layer.id, std::string(layer.kind->name)});
-    return module;
-}
+class Lowering {
+public:
+    explicit Lowering(const CheckedMaterial& material)
+        : material_(material),
+          module_(declarations(material)),
+          builder_(module_),
+          context_(builder_, facts(material), material.nodes, material.surface.two_sided == TwoSided::mirror) {}
 
-// The sum of all layers, in the order of the file (Eq 14).
-ValueId gradient(ir::Builder& builder, layers::LowerContext& context, const CheckedMaterial& material) {
-    ValueId sum;
-    for (std::size_t i = 0; i < material.layers.size(); ++i) {
-        const CheckedLayer& layer = material.layers[i];
-        context.set_layer({static_cast<std::uint32_t>(i)});
-        ValueId g = layer.kind->lower(context, layer.values);
-        context.set_layer({});
-        sum = sum.valid() ? builder.add(Op::add_surfgrad, {sum, g}) : g;
+    ir::Module run() {
+        ValueId gradient, normal;
+        for (std::size_t i = 0; i < material_.stages.size(); ++i) {
+            if (i > 0) context_.begin_stage(normal);
+            ValueId g = sum(material_.stages[i]);
+            normal = builder_.add(Op::resolve, {context_.normal(), g}, "normal");
+            if (i == 0) gradient = g;
+        }
+        if (!gradient.valid()) gradient = builder_.add(Op::zero_surfgrad);
+        if (!normal.valid()) normal = builder_.add(Op::resolve, {context_.normal(), gradient}, "normal");
+        if (material_.surface.two_sided == TwoSided::flip) normal = builder_.add(Op::flip, {normal, context_.facing()}, "normal");
+        surface(normal);
+        inputs(gradient);
+        return std::move(module_);
     }
-    return sum.valid() ? sum : builder.add(Op::zero_surfgrad);
-}
 
-ValueId surface_value(ir::Builder& builder, const CheckedNumber& number, ir::Type type) {
-    if (!number.parameter.valid()) return builder.constant(type, number.numbers);
-    ValueId parameter = builder.parameter(number.parameter);
-    bool same = builder.module().at(parameter).type == type;
-    return same ? parameter : builder.add(Op::color, {parameter});
-}
+private:
+    static ir::Module declarations(const CheckedMaterial& material) {
+        ir::Module module;
+        module.name = material.name;
+        for (const CheckedParameter& p : material.parameters) module.parameters.push_back({p.name, ir_type(p.type)});
+        for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
+        return module;
+    }
+
+    static std::vector<layers::TextureFacts> facts(const CheckedMaterial& material) {
+        std::vector<layers::TextureFacts> out;
+        for (const CheckedTexture& t : material.textures) out.push_back(t.facts);
+        return out;
+    }
+
+    // The layers of a stage or group from first to last (Eq 13 and 14).
+    ValueId sum(const std::vector<CheckedLayer>& layers) {
+        ValueId total;
+        for (const CheckedLayer& layer : layers) {
+            ValueId g = scaled(layer);
+            bool mixes = layer.common[layers::kBlend].index == layers::kBlendMix;
+            const layers::FieldValue& mask = layer.common[layers::kMask];
+            if (mixes) {
+                if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
+                total = builder_.add(Op::mix_surfgrad, {total, g, context_.number(mask)});
+                continue;
+            }
+            if (mask.given) g = builder_.add(Op::mask_surfgrad, {g, context_.number(mask)});
+            total = total.valid() ? builder_.add(Op::add_surfgrad, {total, g}) : g;
+        }
+        return total.valid() ? total : builder_.add(Op::zero_surfgrad);
+    }
+
+    // A layer's gradient times its strength.
+    ValueId scaled(const CheckedLayer& layer) {
+        ValueId g;
+        if (layer.kind) {
+            ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
+            module_.layers.push_back({layer.id, std::string(layer.kind->name)});
+            context_.set_layer(id);
+            g = layer.kind->lower(context_, layer.values);
+        } else {
+            g = sum(layer.group);
+        }
+        const layers::FieldValue& strength = layer.common[layers::kStrength];
+        if (strength.given) g = builder_.add(Op::scale_surfgrad, {context_.number(strength), g});
+        context_.set_layer({});
+        return g;
+    }
+
+    void surface(ValueId normal) {
+        const CheckedSurface& s = material_.surface;
+        builder_.output(ir::Output::normal, normal);
+        // What a surface's nodes see is the stage that the layers ended with.
+        builder_.output(ir::Output::base_color, context_.color(s.base_color));
+        builder_.output(ir::Output::metallic, context_.number(s.metallic));
+        builder_.output(ir::Output::roughness, context_.number(s.roughness));
+        builder_.output(ir::Output::occlusion, context_.number(s.occlusion));
+        builder_.output(ir::Output::emission, context_.color(s.emission));
+        builder_.output(ir::Output::opacity, context_.number(s.opacity));
+        if (s.alpha_test) builder_.output(ir::Output::cutoff, context_.constant(*s.alpha_test));
+    }
+
+    // What the debug entry shows of the inputs.
+    void inputs(ValueId gradient) {
+        builder_.output(ir::Output::frame, context_.first_frame());
+        builder_.output(ir::Output::gradient, gradient);
+        if (context_.has_basis_vertex()) builder_.output(ir::Output::basis_vertex, context_.vertex_tangents());
+        if (context_.made_vertex_color().valid()) builder_.output(ir::Output::vertex_color, context_.made_vertex_color());
+        for (const auto& [set, value] : context_.uv_sets()) builder_.output(ir::Output::uv, value, set);
+        for (auto space : {layers::Space::object, layers::Space::world}) {
+            if (context_.made_volume(space).valid()) builder_.output(ir::Output::volume, context_.made_volume(space), static_cast<std::uint32_t>(space));
+        }
+    }
+
+    const CheckedMaterial& material_;
+    ir::Module module_;
+    ir::Builder builder_;
+    layers::LowerContext context_;
+};
 
 }  // namespace
 
 ir::Module lower(const CheckedMaterial& material) {
-    ir::Module module = declarations(material);
-    ir::Builder builder(module);
-    std::vector<layers::TextureFacts> facts;
-    for (const CheckedTexture& t : material.textures) facts.push_back({t.green_up, t.zero});
-    layers::LowerContext context(builder, std::move(facts), material.two_sided == TwoSided::mirror);
-
-    ValueId g = gradient(builder, context, material);
-    ValueId normal = builder.add(Op::resolve, {context.normal(), g}, "normal");
-    if (material.two_sided == TwoSided::flip) normal = builder.add(Op::flip, {normal, context.facing()}, "normal");
-
-    builder.output(ir::Output::normal, normal);
-    builder.output(ir::Output::base_color, surface_value(builder, material.base_color, ir::Type::Color));
-    builder.output(ir::Output::metallic, surface_value(builder, material.metallic, ir::Type::Scalar));
-    builder.output(ir::Output::roughness, surface_value(builder, material.roughness, ir::Type::Scalar));
-    builder.output(ir::Output::frame, context.frame());
-    builder.output(ir::Output::gradient, g);
-    if (context.has_basis_vertex()) builder.output(ir::Output::basis_vertex, context.basis_vertex());
-    for (const auto& [set, value] : context.uvs()) builder.output(ir::Output::uv, value, set);
-
+    ir::Module module = Lowering(material).run();
     std::string faults = ir::verify(module);
     if (!faults.empty()) SG_UNREACHABLE("lowering made a bad module:\n" + faults);
     return module;

@@ -4,13 +4,14 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/diag.hpp"
 #include "base/source.hpp"
 #include "ir/ir.hpp"
 #include "json/json.hpp"
-#include "layers/layer_kind.hpp"
+#include "layers/kind.hpp"
 
 namespace sg::material {
 
@@ -53,32 +54,54 @@ struct TextureDecl {
     Located<std::string> name;
     Located<std::string> file;
     ir::TextureEncoding encoding = ir::TextureEncoding::tangent_normal;
-    bool green_up = true;
-    double zero = 127.5;
-    Located<ColorSpace> color_space;
+    Located<bool> green_up{true, {}};
+    Located<double> zero{127.5, {}};
+    Located<double> range{1, {}};
+    std::optional<Located<ColorSpace>> color_space;
     SamplerDecl sampler;
+    bool faulty = false;  // its encoding was reported
 };
 
-// A number or "$parameter" (then `numbers` is empty).
-struct NumberOrParameter {
+// Numbers, "$parameter", "@node", or a node that is written in place.
+struct Expression {
+    enum class Kind { numbers, parameter, node_name, node } kind = Kind::numbers;
     std::vector<double> numbers;
-    std::string parameter;
+    std::string name;      // of the parameter or node
+    std::size_t node = 0;  // into Material::nodes
+    At at;
 };
 
-// The value of a layer's field as written; which member counts follows from the field's kind.
+// The value of a field as written; which member counts follows from the field's kind.
 struct FieldEntry {
-    std::size_t field = 0;  // into LayerKind::fields
+    std::size_t field = 0;  // into the kind's fields
     At at;
-    NumberOrParameter number;  // number, pair
-    std::string word;          // texture
-    std::uint32_t index = 0;   // uv_set, choice
+    Expression expression;  // number, pair, color, direction, range
+    std::string word;       // texture
+    std::uint32_t index = 0;  // choice, integer
+    layers::Coordinate uv;
+};
+
+struct NodeDecl {
+    Located<std::string> name;  // "" for one written in place
+    const layers::NodeKind* kind = nullptr;  // null: its kind was reported
+    At at;
+    std::vector<FieldEntry> entries;
+};
+
+struct LayerDecl;
+
+// Layers that count as one: summed on their own, then blended like a layer.
+struct GroupDecl {
+    std::vector<LayerDecl> layers;
 };
 
 struct LayerDecl {
     Located<std::string> id;  // empty when not given
-    const layers::LayerKind* kind = nullptr;
+    const layers::LayerKind* kind = nullptr;  // null for a group
     At at;
-    std::vector<FieldEntry> entries;
+    std::vector<FieldEntry> entries;  // of the kind's fields
+    std::vector<FieldEntry> common;   // of layers::common_fields()
+    GroupDecl group;
 };
 
 struct StageDecl {
@@ -89,9 +112,13 @@ struct StageDecl {
 
 enum class TwoSided { off, mirror, flip };
 struct SurfaceDecl {
-    Located<NumberOrParameter> base_color;
-    Located<NumberOrParameter> metallic;
-    Located<NumberOrParameter> roughness;
+    Expression base_color{.numbers = {0.5, 0.5, 0.5}};
+    Expression metallic{.numbers = {0}};
+    Expression roughness{.numbers = {0.5}};
+    Expression occlusion{.numbers = {1}};
+    Expression emission{.numbers = {0, 0, 0}};
+    Expression opacity{.numbers = {1}};
+    std::optional<double> alpha_test;
     TwoSided two_sided = TwoSided::off;
 };
 
@@ -101,6 +128,7 @@ struct Material {
     std::string description;
     std::vector<ParameterDecl> parameters;
     std::vector<TextureDecl> textures;
+    std::vector<NodeDecl> nodes;  // named ones first, in the order of the file; then those written in place
     std::vector<StageDecl> bump;
     SurfaceDecl surface;
 };

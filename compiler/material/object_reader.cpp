@@ -83,9 +83,14 @@ std::optional<double> ObjectReader::number(std::string_view key, Range range, bo
     return value->number;
 }
 
-std::optional<std::uint32_t> ObjectReader::integer(std::string_view key, Range range, bool required) {
-    const Value* value = expect(key, Kind::number, required);
+std::optional<std::uint32_t> ObjectReader::integer(std::string_view key, Range range, bool required,
+                                                   std::string_view expected) {
+    const Value* value = get(key, required);
     if (!value) return std::nullopt;
+    if (value->kind != Kind::number) {
+        error(Code::wrong_type, at(key, *value), fmt::format("expected {} for '{}', found {}", expected, key, kind_name(value->kind)));
+        return std::nullopt;
+    }
     if (!value->is_integer) {
         error(Code::wrong_type, at(key, *value), fmt::format("expected an integer for '{}', found {}", key, value->number));
         return std::nullopt;
@@ -119,19 +124,13 @@ std::optional<double> ObjectReader::one_of_numbers(std::string_view key, std::in
     return std::nullopt;
 }
 
-std::optional<NumberOrParameter> ObjectReader::numbers(std::string_view key, std::size_t count, Range range,
-                                                       bool spread, bool parameter) {
+std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t count, Range range,
+                                                         bool spread, std::string_view others) {
     const Value* value = get(key);
     if (!value) return std::nullopt;
-    NumberOrParameter out;
-    if (parameter && value->kind == Kind::string && value->string.starts_with('$')) {
-        out.parameter = value->string.substr(1);
-        return out;
-    }
     if (value->kind == Kind::number && (spread || count == 1)) {
         if (!in_range(key, *value, range)) return std::nullopt;
-        out.numbers.assign(count, value->number);
-        return out;
+        return std::vector<double>(count, value->number);
     }
     bool numeric = value->kind == Kind::array && value->items.size() == count && count > 1 &&
                    std::all_of(value->items.begin(), value->items.end(), [](const Value& v) { return v.kind == Kind::number; });
@@ -141,13 +140,14 @@ std::optional<NumberOrParameter> ObjectReader::numbers(std::string_view key, std
                                                                     : std::string(kind_name(value->kind));
         if (value->kind == Kind::array && value->items.size() == count) found = "an array that holds other things";
         error(Code::wrong_type, at(key, *value),
-              fmt::format("expected {}{} for '{}', found {}", expected, parameter ? " or a \"$parameter\"" : "", key, found));
+              fmt::format("expected {}{}{} for '{}', found {}", expected, others.empty() ? "" : others.find(',') == std::string_view::npos ? " or " : ", ", others, key, found));
         return std::nullopt;
     }
     bool good = true;
+    std::vector<double> out;
     for (const Value& item : value->items) {
         good = in_range(key, item, range) && good;
-        out.numbers.push_back(item.number);
+        out.push_back(item.number);
     }
     return good ? std::optional(out) : std::nullopt;
 }

@@ -36,16 +36,16 @@ public:
     // A string of 1 to 64 printable characters.
     std::optional<std::string> name(std::string_view key, bool required = false);
     std::optional<double> number(std::string_view key, Range range, bool required = false);
-    std::optional<std::uint32_t> integer(std::string_view key, Range range, bool required = false);
+    std::optional<std::uint32_t> integer(std::string_view key, Range range, bool required = false, std::string_view expected = "a number");
     // The index of the word among the choices.
     std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices,
                                       bool required = false);
     std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices, bool required);
     // One of several numbers.
     std::optional<double> one_of_numbers(std::string_view key, std::initializer_list<double> choices);
-    // `count` numbers, or where `spread` one number for all; "$name" where `parameter`.
-    std::optional<NumberOrParameter> numbers(std::string_view key, std::size_t count, Range range, bool spread,
-                                             bool parameter);
+    // `count` numbers, or where `spread` one number for all. `others`: what else may stand there, for the message.
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, Range range, bool spread,
+                                               std::string_view others);
     // The items of an array, each with its pointer.
     std::vector<std::pair<const json::Value*, std::string>> array(std::string_view key, bool required = false);
     // The members of an object of named things; bad names are reported.

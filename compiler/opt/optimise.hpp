@@ -17,7 +17,7 @@ class Rewriter;
 struct Rule {
     std::string_view name;
     std::string_view reason;
-    ir::Op op;  // the operation that it is tried on
+    std::vector<ir::Op> ops;  // the operations that it is tried on
     ir::ValueId (*apply)(Rewriter& rewriter, const ir::Value& value);
 };
 std::span<const Rule> all_rules();

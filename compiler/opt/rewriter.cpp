@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 
 #include "base/ice.hpp"
@@ -47,7 +48,7 @@ void Rewriter::grow() {
 
 ValueId Rewriter::add(Value value) {
     for (const Rule& rule : all_rules()) {
-        if (rule.op != value.op || rule.name == skipped_) continue;
+        if (rule.name == skipped_ || std::find(rule.ops.begin(), rule.ops.end(), value.op) == rule.ops.end()) continue;
         if (ValueId better = rule.apply(*this, value); better.valid()) return better;
     }
     if (module_.values.size() > buckets_.size()) grow();
@@ -105,19 +106,17 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule) {
     ir::Module out = rewriter.take();
     out.outputs = module.outputs;
     for (ir::OutputBinding& output : out.outputs) output.value = renamed[output.value.index];
-    // A uv set and the vertex tangents are worth showing only while some layer needs them.
+    // What the vertex stage hands over is worth showing only while some layer needs them.
     auto only_shown = [&](const ir::OutputBinding& o) {
-        return o.output == ir::Output::uv || o.output == ir::Output::basis_vertex;
+        return is_numbered(o.output) || o.output == ir::Output::basis_vertex || o.output == ir::Output::vertex_color;
     };
     ir::Module needed = out;
     std::erase_if(needed.outputs, only_shown);
     needed = compact(std::move(needed));
     auto used = [&](const ir::OutputBinding& o) {
-        for (const Value& value : needed.values) {
-            if (o.output == ir::Output::uv && value.op == Op::uv_set && value.index == o.set) return true;
-            if (o.output == ir::Output::basis_vertex && value.op == Op::basis_vertex) return true;
-        }
-        return false;
+        const Value& shown = out.at(o.value);
+        return std::any_of(needed.values.begin(), needed.values.end(),
+                           [&](const Value& value) { return value.op == shown.op && value.index == shown.index; });
     };
     std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
     out = compact(std::move(out));

@@ -1,6 +1,9 @@
 // One named function per rule; the table at the end says where each applies and why it holds.
 #include "opt/optimise.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sg::opt {
 namespace {
 
@@ -18,12 +21,6 @@ bool is_positive_pair(const Value* value) {
 
 ValueId scale_by_one(Rewriter& rewriter, const Value& value) {
     return is_constant(rewriter.operand(value, 0, Op::constant), 1.0) ? value.operands[1] : ValueId{};
-}
-
-ValueId dead_layer(Rewriter& rewriter, const Value& value) {
-    const Value* scaled = rewriter.operand(value, 0, Op::scale_deriv);
-    if (!scaled || !is_constant(rewriter.operand(*scaled, 0, Op::constant), 0.0)) return {};
-    return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
 ValueId scale_to_nothing(Rewriter& rewriter, const Value& value) {
@@ -51,55 +48,147 @@ ValueId positive_tiling_turns_nothing(Rewriter& rewriter, const Value& value) {
     return is_positive_pair(rewriter.operand(value, 1, Op::constant)) ? value.operands[0] : ValueId{};
 }
 
-// The derivative and basis of a projected bump.
+// ---- projections are linear ----
+
+// A value like this one without its name: for the parts of a sum, which belong to no layer's name.
+Value unnamed(const Value& value) {
+    Value like = value;
+    like.name = "";
+    return like;
+}
+
+ValueId scale_before_projection(Rewriter& rewriter, const Value& value) {
+    const Value projected = rewriter.at(value.operands[1]);
+    if (projected.op == Op::surfgrad_from_tbn) {
+        ValueId scaled = rewriter.add(Op::scale_deriv, {value.operands[0], projected.operands[0]}, unnamed(projected));
+        return rewriter.add(Op::surfgrad_from_tbn, {scaled, projected.operands[1]}, projected);
+    }
+    if (projected.op == Op::surfgrad_from_volume) {
+        ValueId scaled = rewriter.add(Op::scale_volgrad, {value.operands[0], projected.operands[1]}, unnamed(projected));
+        return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], scaled}, projected);
+    }
+    return {};
+}
+
+// What a projection takes: the part that is linear, and the basis or normal that two must share to be added first.
 struct Projected {
-    ValueId deriv;
-    ValueId basis;
+    Op op{};
+    ValueId linear;
+    ValueId onto;
+    [[nodiscard]] bool valid() const { return linear.valid(); }
+    [[nodiscard]] bool shares(const Projected& other) const { return valid() && other.valid() && op == other.op && onto == other.onto; }
 };
 Projected projected(const Rewriter& rewriter, ValueId id) {
     const Value& value = rewriter.at(id);
-    if (value.op != Op::surfgrad_from_tbn) return {};
-    return {value.operands[0], value.operands[1]};
+    if (value.op == Op::surfgrad_from_tbn) return {value.op, value.operands[0], value.operands[1]};
+    if (value.op == Op::surfgrad_from_volume) return {value.op, value.operands[1], value.operands[0]};
+    return {};
+}
+
+ValueId project_sum(Rewriter& rewriter, const Projected& a, const Projected& b, const Value& like) {
+    bool tbn = a.op == Op::surfgrad_from_tbn;
+    ValueId sum = rewriter.add(tbn ? Op::add_deriv : Op::add_volgrad, {a.linear, b.linear}, like);
+    return rewriter.add(a.op, tbn ? std::vector{sum, a.onto} : std::vector{a.onto, sum}, like);
 }
 
 ValueId one_projection(Rewriter& rewriter, const Value& value) {
-    // Copies, not references: adding values moves the list.
     Projected left = projected(rewriter, value.operands[0]);
     Projected right = projected(rewriter, value.operands[1]);
-    if (!right.basis.valid()) return {};
-    Value like = value;
-    like.name = "";
-    auto both = [&](const Projected& a) {
-        ValueId sum = rewriter.add(Op::add_deriv, {a.deriv, right.deriv}, like);
-        return rewriter.add(Op::surfgrad_from_tbn, {sum, right.basis}, like);
-    };
-    if (left.basis == right.basis) return both(left);
-    // (x + project(a, B)) + project(b, B): sums lean to the left, so this walks through all layers.
+    if (!right.valid()) return {};
+    Value like = unnamed(value);
+    if (left.shares(right)) return project_sum(rewriter, left, right, like);
+    // (x + project(a)) + project(b): sums lean to the left, so this walks through all layers.
     const Value* inner = rewriter.operand(value, 0, Op::add_surfgrad);
     if (!inner) return {};
-    ValueId rest = inner->operands[0];
-    Projected last = projected(rewriter, inner->operands[1]);
-    if (last.basis != right.basis) return {};
-    return rewriter.add(Op::add_surfgrad, {rest, both(last)}, like);
+    ValueId rest = inner->operands[0], last_id = inner->operands[1];
+    Projected last = projected(rewriter, last_id);
+    if (last.shares(right)) return rewriter.add(Op::add_surfgrad, {rest, project_sum(rewriter, last, right, like)}, like);
+    // ((x + project(a)) + y) + project(b), y of another kind: y steps aside, for sums may be taken in any order.
+    Projected deeper = projected(rewriter, rest);
+    if (deeper.shares(right)) return rewriter.add(Op::add_surfgrad, {project_sum(rewriter, deeper, right, like), last_id}, like);
+    return {};
+}
+
+// ---- masks and mixes ----
+
+ValueId trivial_mask(Rewriter& rewriter, const Value& value) {
+    const Value* mask = rewriter.operand(value, 1, Op::constant);
+    if (rewriter.operand(value, 0, Op::zero_surfgrad) || is_constant(mask, 0)) return rewriter.add(Op::zero_surfgrad, {}, value);
+    return is_constant(mask, 1) ? value.operands[0] : ValueId{};
+}
+
+ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
+    const Value* t = rewriter.operand(value, 2, Op::constant);
+    if (t && t->number[0] <= 0) return value.operands[0];
+    return t && t->number[0] >= 1 ? value.operands[1] : ValueId{};
+}
+
+// ---- numbers ----
+
+double folded(Op op, double a, double b, double c) {
+    switch (op) {
+        case Op::add:
+            return a + b;
+        case Op::subtract:
+            return a - b;
+        case Op::multiply:
+            return a * b;
+        case Op::minimum:
+            return std::min(a, b);
+        case Op::maximum:
+            return std::max(a, b);
+        case Op::divide:
+            return b != 0 ? a / b : 0;
+        case Op::power:
+            return a > 0 ? std::pow(a, b) : 0;
+        case Op::clamp:
+            return std::min(std::max(a, b), c);
+        default:
+            return a + c * (b - a);  // mix
+    }
+}
+
+ValueId fold_numbers(Rewriter& rewriter, const Value& value) {
+    std::array<double, 3> n{};
+    for (std::size_t i = 0; i < value.operands.size(); ++i) {
+        const Value* number = rewriter.operand(value, i, Op::constant);
+        if (!number) return {};
+        n[i] = number->number[0];
+    }
+    double result = folded(value.op, n[0], n[1], n[2]);
+    if (!std::isfinite(result)) return {};
+    return rewriter.add(Value{.op = Op::constant, .type = ir::Type::Scalar, .number = {result}, .layer = value.layer});
+}
+
+ValueId add_zero_or_multiply_by_one(Rewriter& rewriter, const Value& value) {
+    double neutral = value.op == Op::add ? 0 : 1;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (is_constant(rewriter.operand(value, i, Op::constant), neutral)) return value.operands[1 - i];
+    }
+    return {};
 }
 
 }  // namespace
 
 std::span<const Rule> all_rules() {
+    using enum Op;
     static const Rule kRules[] = {
-        {"scale_deriv_by_one", "1 d = d", Op::scale_deriv, scale_by_one},
-        {"scale_surfgrad_by_one", "1 g = g", Op::scale_surfgrad, scale_by_one},
-        {"dead_layer", "a layer of strength 0 adds nothing: its texture and basis go with it", Op::surfgrad_from_tbn,
-         dead_layer},
-        {"scale_to_nothing", "0 g = 0", Op::scale_surfgrad, scale_to_nothing},
-        {"add_nothing", "g + 0 = g", Op::add_surfgrad, add_nothing},
-        {"resolve_nothing", "normalize(n - 0) = n, for n is unit", Op::resolve, resolve_nothing},
-        {"positive_tiling_shares_basis", "T and B are unit vectors along +s and +t: positive tiling keeps both",
-         Op::basis_uv, positive_tiling_shares_basis},
-        {"positive_tiling_turns_nothing", "only negative factors turn +s or +t", Op::basis_mirror,
-         positive_tiling_turns_nothing},
-        {"one_projection", "projection is linear: project(a, B) + project(b, B) = project(a + b, B)", Op::add_surfgrad,
-         one_projection},
+        {"scale_by_one", "1 x = x", {scale_deriv, scale_surfgrad, scale_volgrad}, scale_by_one},
+        {"scale_to_nothing", "0 g = 0: a layer of strength 0 vanishes, its texture and basis with it", {scale_surfgrad}, scale_to_nothing},
+        {"scale_before_projection", "projection is linear: s project(d) = project(s d), which is shorter and can be added to others",
+         {scale_surfgrad}, scale_before_projection},
+        {"add_nothing", "g + 0 = g", {add_surfgrad}, add_nothing},
+        {"resolve_nothing", "normalize(n - 0) = n, for n is unit", {resolve}, resolve_nothing},
+        {"positive_tiling_shares_basis", "T and B are unit vectors along +s and +t: positive tiling keeps both", {basis_uv},
+         positive_tiling_shares_basis},
+        {"positive_tiling_turns_nothing", "only negative factors turn +s or +t", {basis_mirror}, positive_tiling_turns_nothing},
+        {"one_projection", "projection is linear: project(a) + project(b) = project(a + b), for one basis, or one normal (the paper's footnote on decals)",
+         {add_surfgrad}, one_projection},
+        {"trivial_mask", "a mask of 1 shows all, a mask of 0 nothing", {mask_surfgrad}, trivial_mask},
+        {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
+        {"fold_numbers", "what is known now need not be computed for every pixel",
+         {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix}, fold_numbers},
+        {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
     };
     return kRules;
 }

@@ -92,7 +92,7 @@ TEST(House, RuntimeKnowsTheManifestOnly) {
 // Headers that cost seconds to compile stay in the files that need them.
 TEST(House, HeavyHeadersStayInTheirFacades) {
     const std::map<std::string, std::set<std::string>> facades = {
-        {"nlohmann/", {"compiler/json/json.cpp", "compiler/artefact.cpp", "runtime/manifest.cpp"}},
+        {"nlohmann/", {"compiler/json/json.cpp", "compiler/artefact.cpp", "compiler/schema.cpp", "runtime/manifest.cpp"}},
         {"glslang/", {"compiler/target/spirv.cpp"}},
         {"spirv-tools/", {"compiler/target/spirv.cpp"}},
         {"spirv_cross/", {"compiler/target/cross.cpp"}},

@@ -7,7 +7,7 @@
 #include "base/diag.hpp"
 #include "emit/glsl.hpp"
 #include "ir/ir.hpp"
-#include "layers/layer_kind.hpp"
+#include "kinds.hpp"
 #include "opt/optimise.hpp"
 #include "tests/support/golden.hpp"
 
@@ -31,18 +31,7 @@ TEST(Readme, EveryDiagnosticIsListedWithCauseAndMend) {
     }
 }
 
-TEST(Readme, EveryLayerFieldIsListed) {
-    std::string text = document("materials/README.md");
-    for (const layers::LayerKind* kind : layers::all_kinds()) {
-        EXPECT_NE(text.find("### `" + std::string(kind->name) + "`"), std::string::npos) << kind->name;
-        for (const layers::Field& field : kind->fields) {
-            std::size_t at = text.find("| `" + std::string(field.name) + "` |");
-            ASSERT_NE(at, std::string::npos) << kind->name << "." << field.name;
-            std::string line = text.substr(at, text.find('\n', at) - at);
-            EXPECT_NE(line.find(field.doc), std::string::npos) << "the line of '" << field.name << "' should say: " << field.doc;
-        }
-    }
-}
+TEST(Readme, ThePageOfKindsIsFresh) { test::expect_golden("../materials/kinds.md", kinds_markdown()); }
 
 TEST(Readme, EveryRuleAndEntryPointIsListed) {
     std::string text = document("compiler/README.md");

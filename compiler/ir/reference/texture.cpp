@@ -7,8 +7,9 @@ namespace {
 
 int into(int i, int size, Wrap wrap) {
     if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
-    int rest = i % size;
-    return rest < 0 ? rest + size : rest;
+    int period = wrap == Wrap::mirror ? 2 * size : size;
+    int rest = ((i % period) + period) % period;
+    return rest < size ? rest : period - 1 - rest;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct TextureSource {
     virtual int levels() const = 0;
 };
 
-enum class Wrap { repeat, clamp };
+enum class Wrap { repeat, clamp, mirror };
 
 struct Sampler {
     Wrap wrap_s = Wrap::repeat;

@@ -34,22 +34,38 @@ const std::string kTexture = "texture 0 \"t\" tangent_normal\n";
 TEST(Opt, EachRuleBeforeAndAfter) {
     std::set<std::string_view> seen;
     const RuleCase cases[] = {
-        {"scale_deriv_by_one",
+        {"scale_by_one",
          "%8 = constant 1 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : SurfGrad\n"
-         "output gradient = %10\n",
+         "%11 = scale_surfgrad %8 %10 : SurfGrad\noutput gradient = %11\n",
          "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"scale_surfgrad_by_one",
-         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"dead_layer",
-         "%8 = constant 0 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
         {"scale_to_nothing",
-         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
+         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = facing : Scalar\n"
+         "%11 = mask_surfgrad %9 %10 : SurfGrad\n%12 = scale_surfgrad %8 %11 : SurfGrad\noutput gradient = %12\n",
+         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+        {"scale_before_projection",
+         "%8 = facing : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%7 = facing : Scalar\n%8 = scale_deriv %7 %6 : Deriv\n%9 = surfgrad_from_tbn %8 %2 : SurfGrad\noutput gradient = %9\n"},
+        {"trivial_mask",
+         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : SurfGrad\n"
+         "output gradient = %10\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"trivial_mask",
+         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : SurfGrad\n"
          "output gradient = %10\n",
          "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+        {"trivial_mix",
+         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = zero_surfgrad : SurfGrad\n"
+         "%11 = mix_surfgrad %10 %9 %8 : SurfGrad\noutput gradient = %11\n",
+         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"fold_numbers",
+         "%8 = constant 2 : Scalar\n%9 = constant 3 : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = subtract %10 %8 : Scalar\n"
+         "output metallic = %11\n",
+         "%0 = constant 4 : Scalar\noutput metallic = %0\n"},
+        {"neutral_number",
+         "%8 = constant 1 : Scalar\n%9 = facing : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = constant 0 : Scalar\n"
+         "%12 = add %10 %11 : Scalar\noutput metallic = %12\n",
+         "%0 = facing : Scalar\noutput metallic = %0\n"},
         {"add_nothing",
          "%8 = zero_surfgrad : SurfGrad\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = add_surfgrad %8 %9 : SurfGrad\n"
          "%11 = add_surfgrad %10 %8 : SurfGrad\noutput gradient = %11\n",
@@ -104,6 +120,17 @@ TEST(Opt, OneProjectionReachesPastOtherLayers) {
     for (std::size_t at = after.find("surfgrad_from_tbn"); at != std::string::npos; at = after.find("surfgrad_from_tbn", at + 1)) ++projections;
     EXPECT_EQ(projections, 2u) << after;
     EXPECT_NE(after.find("add_deriv"), std::string::npos) << after;
+}
+
+TEST(Opt, VolumeGradientsAddBeforeOneProjection) {
+    std::string text =
+        "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n%2 = volume_object : Volume\n"
+        "%3 = noise_perlin %2 : Noise\n%4 = constant 2 : Scalar\n%5 = noise_gradient %4 %3 : LocalGrad\n"
+        "%6 = gradient_from_object %5 : VolGrad\n%7 = surfgrad_from_volume %1 %6 : SurfGrad\n"
+        "%8 = gradient_from_world %5 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\n"
+        "%10 = add_surfgrad %7 %9 : SurfGrad\noutput gradient = %10\n";
+    EXPECT_TRUE(optimised(text).ends_with("%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\noutput gradient = %9\n"))
+        << optimised(text);
 }
 
 TEST(Opt, EqualValuesBecomeOne) {

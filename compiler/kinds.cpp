@@ -1,0 +1,111 @@
+#include "kinds.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diag.hpp"
+#include "base/ice.hpp"
+#include "layers/kind.hpp"
+
+namespace sg {
+namespace {
+
+using layers::Field;
+using layers::FieldKind;
+
+std::string list(std::span<const std::string_view> words) { return fmt::format("`{}`", fmt::join(words, "`, `")); }
+
+// What may stand there.
+std::string values(const Field& field) {
+    std::string bounds = fmt::format("{} to {}", field.minimum, field.maximum);
+    switch (field.kind) {
+        case FieldKind::texture: {
+            std::vector<std::string_view> names;
+            for (auto encoding : field.encodings) names.push_back(ir::encoding_name(encoding));
+            return fmt::format("a texture of encoding {}", list(names));
+        }
+        case FieldKind::uv:
+            return "0 to 7, or an object";
+        case FieldKind::choice:
+            return list(field.choices);
+        case FieldKind::integer:
+            return fmt::format("{}, whole", bounds);
+        case FieldKind::number:
+            return fmt::format("{}, `$parameter`, `@node`, a node", bounds);
+        case FieldKind::pair:
+            return fmt::format("one or two numbers, {}, `$parameter`", bounds);
+        case FieldKind::color:
+            return fmt::format("three numbers, {}, `$parameter`, `@node`, a node", bounds);
+        case FieldKind::direction:
+            return "three numbers, not all 0";
+        case FieldKind::range:
+            return "two numbers";
+    }
+    SG_UNREACHABLE("a field of no kind");
+}
+
+std::string fallback(const Field& field) {
+    if (field.required) return "required";
+    switch (field.kind) {
+        case FieldKind::choice:
+            return fmt::format("`{}`", field.choices[static_cast<std::size_t>(field.fallback)]);
+        case FieldKind::texture:
+        case FieldKind::direction:
+        case FieldKind::range:
+            return "";
+        default:
+            return fmt::format("{}", field.fallback);
+    }
+}
+
+std::string table(std::span<const Field> fields) {
+    if (fields.empty()) return "";
+    std::string out = "\n| field | what | values | default |\n|---|---|---|---|\n";
+    for (const Field& field : fields) {
+        std::string unit = field.unit.empty() ? "" : fmt::format("; {}", field.unit);
+        out += fmt::format("| `{}` | {} | {}{} | {} |\n", field.name, field.doc, values(field), unit, fallback(field));
+    }
+    return out;
+}
+
+std::string rows(std::span<const Field> fields) {
+    std::string out;
+    for (const Field& field : fields) {
+        std::string unit = field.unit.empty() ? "" : fmt::format("; {}", field.unit);
+        std::string given = fallback(field);
+        if (!given.empty() && !field.required) given = ", default " + given;
+        if (field.required) given = "; required";
+        std::string line = values(field) + given + unit;
+        std::erase(line, '`');
+        out += fmt::format("  {:<10} {}\n             {}\n", field.name, line, field.doc);
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string kinds_text() {
+    std::string out = "every layer, and a group of layers:\n" + rows(layers::common_fields());
+    for (const layers::LayerKind* kind : layers::all_kinds()) out += fmt::format("\n{}: {}\n{}", kind->name, kind->doc, rows(kind->fields));
+    for (const layers::NodeKind& kind : layers::all_node_kinds()) {
+        out += fmt::format("\nnode {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
+    }
+    return out;
+}
+
+std::string kinds_markdown() {
+    std::string out =
+        "# Layer kinds and node kinds\n\nMade from the compiler's tables (`make accept`); `surfgradc kinds` prints the same.\n\n"
+        "## Layers\n\nEvery layer, and a group (`\"kind\": \"group\", \"layers\": [...]`, which sums its layers and then counts as one), has:\n";
+    out += table(layers::common_fields());
+    for (const layers::LayerKind* kind : layers::all_kinds()) {
+        out += fmt::format("\n### `{}`\n\n{}; sample: [{}.json]({}.json).\n{}", kind->name, kind->doc, kind->name, kind->name, table(kind->fields));
+    }
+    out += "\n## Nodes\n\nA node is `{ \"op\": KIND, ... }`, under a name in `nodes` or in the place where its value is used.\n";
+    for (const layers::NodeKind& kind : layers::all_node_kinds()) {
+        std::string_view result = kind.result == ir::Type::Color ? "a colour" : "a number";
+        out += fmt::format("\n### `{}`\n\n{}; gives {}.\n{}", kind.name, kind.doc, result, table(kind.fields));
+    }
+    return out;
+}
+
+}  // namespace sg

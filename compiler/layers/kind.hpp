@@ -1,0 +1,105 @@
+// The tables of layer kinds and node kinds: one row per kind, one file per layer kind. Reading, checking, defaults,
+// ranges, documentation and lowering all come from the row; nothing else in the compiler names a kind.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/ir.hpp"
+
+namespace sg::layers {
+
+enum class FieldKind {
+    texture,   // the name of a declared texture
+    uv,        // a uv set 0..7, or an object that transforms one
+    choice,    // one of `choices`
+    integer,   // a whole number
+    number,    // a number, "$parameter", "@node" or a node written in place
+    pair,      // a number (for both), two numbers, or "$parameter" of type float or vec2
+    color,     // three numbers, "$parameter" of type color or vec3, "@node" or a node
+    direction,  // three numbers, not all 0; unit when checked
+    range       // two numbers
+};
+
+struct Field {
+    std::string_view name;
+    FieldKind kind{};
+    bool required = false;
+    double fallback = 0;  // number, pair, color (all alike), integer; of a choice: the index of the default
+    double minimum = 0;   // number, pair, color, integer
+    double maximum = 0;
+    std::vector<std::string_view> choices;
+    std::vector<ir::TextureEncoding> encodings;  // texture: what can be read
+    std::string_view unit;                       // of numbers; "" for a plain factor
+    std::string_view doc;
+};
+
+// A node instance of the material; see LowerContext::node.
+struct NodeTag;
+using NodeId = Id<NodeTag>;
+
+// A texture coordinate on a uv set: st' = R(rotation) (scale st) + offset + time speed.
+struct Coordinate {
+    std::uint32_t set = 0;
+    std::array<double, 2> scale{1, 1};
+    double rotation = 0;  // degrees, turns +s towards +t
+    std::array<double, 2> offset{0, 0};
+    std::array<double, 2> speed{0, 0};  // repeats per second
+
+    [[nodiscard]] bool is_plain() const { return *this == Coordinate{.set = set}; }
+    bool operator==(const Coordinate&) const = default;
+};
+
+// The checked value of a field: which member counts follows from the field's kind.
+struct FieldValue {
+    std::array<double, 3> number{};  // number, pair, color, direction, range; valid when neither of the next two is
+    ir::ParameterId parameter;
+    NodeId node;
+    std::uint32_t index = 0;  // texture: into the module's textures; choice; integer
+    Coordinate uv;
+    bool given = false;  // it stands in the file
+};
+using FieldValues = std::span<const FieldValue>;
+
+// A fault that only shows when fields are seen together.
+struct FieldFault {
+    std::size_t field = 0;
+    std::string message;
+};
+
+class LowerContext;
+
+struct LayerKind {
+    std::string_view name;
+    std::string_view doc;
+    std::vector<Field> fields;
+    std::optional<FieldFault> (*check)(FieldValues values) = nullptr;  // at most one fault; null: none is possible
+    // The layer's surface gradient at strength 1, unmasked. Cannot fail.
+    ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
+};
+
+// What every layer has beside the fields of its kind: strength, mask, blend (layer_kinds.cpp).
+enum CommonField : std::size_t { kStrength, kMask, kBlend, kCommonFields };
+enum Blend : std::uint32_t { kBlendAdd, kBlendMix };
+std::span<const Field> common_fields();
+
+struct NodeKind {
+    std::string_view name;
+    std::string_view doc;
+    ir::Type result{};  // Scalar or Color
+    std::vector<Field> fields;
+    std::optional<FieldFault> (*check)(FieldValues values) = nullptr;
+    ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
+};
+
+// All kinds. The registries are explicit lists (layer_kinds.cpp, node_kinds.cpp).
+std::span<const LayerKind* const> all_kinds();
+const LayerKind* find_kind(std::string_view name);
+std::span<const NodeKind> all_node_kinds();
+const NodeKind* find_node_kind(std::string_view name);
+
+}  // namespace sg::layers

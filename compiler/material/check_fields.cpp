@@ -1,0 +1,175 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "material/checker.hpp"
+
+namespace sg::material {
+
+using layers::Field;
+using layers::FieldKind;
+using layers::FieldValue;
+
+namespace {
+
+// ", did you mean 'x'?" or ", expected 'x' or 'y'" or ", the material declares no things".
+std::string hint(std::string_view name, const std::vector<std::string_view>& names, std::string_view things) {
+    std::string near = did_you_mean(name, names);
+    if (!near.empty()) return near;
+    return names.empty() ? fmt::format(", the material declares no {}", things) : fmt::format(", expected {}", one_of(names));
+}
+
+std::span<const ParameterType> types_for(FieldKind kind) {
+    using enum ParameterType;
+    static constexpr ParameterType kNumber[] = {scalar}, kPair[] = {scalar, vec2}, kColor[] = {color, vec3};
+    if (kind == FieldKind::pair) return kPair;
+    return kind == FieldKind::color ? std::span<const ParameterType>(kColor) : kNumber;
+}
+
+}  // namespace
+
+std::optional<std::size_t> Checker::find_texture(const std::string& name, const At& at) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < in.textures.size(); ++i) {
+        if (in.textures[i].name.value == name) return i;
+        names.push_back(in.textures[i].name.value);
+    }
+    error(Code::unknown_texture, at, fmt::format("unknown texture '{}'{}", printable(name), hint(name, names, "textures")));
+    return std::nullopt;
+}
+
+ir::ParameterId Checker::find_parameter(const std::string& name, const At& at, std::span<const ParameterType> types) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < in.parameters.size(); ++i) {
+        const ParameterDecl& decl = in.parameters[i];
+        names.push_back(decl.name.value);
+        if (decl.name.value != name) continue;
+        if (!decl.faulty && std::find(types.begin(), types.end(), decl.type) == types.end()) {
+            std::vector<std::string_view> expected;
+            for (ParameterType type : types) expected.push_back(parameter_type_name(type));
+            error(Code::parameter_type, at,
+                  fmt::format("parameter '{}' is of type '{}', expected {}", printable(name),
+                              parameter_type_name(decl.type), one_of(expected)),
+                  {note("it is declared here", decl.name.at)});
+        }
+        return {static_cast<std::uint32_t>(i)};
+    }
+    error(Code::unknown_parameter, at, fmt::format("unknown parameter '{}'{}", printable(name), hint(name, names, "parameters")));
+    return {};
+}
+
+void Checker::expression(const Expression& written, FieldKind kind, FieldValue& value) {
+    std::size_t node = written.node;
+    switch (written.kind) {
+        case Expression::Kind::numbers:
+            std::copy(written.numbers.begin(), written.numbers.end(), value.number.begin());
+            return;
+        case Expression::Kind::parameter:
+            value.parameter = find_parameter(written.name, written.at, types_for(kind));
+            return;
+        case Expression::Kind::node_name: {
+            std::vector<std::string_view> names;
+            for (node = 0; node < in.nodes.size() && in.nodes[node].name.value != written.name; ++node) {
+                if (!in.nodes[node].name.value.empty()) names.push_back(in.nodes[node].name.value);
+            }
+            if (node == in.nodes.size()) {
+                error(Code::unknown_node, written.at, fmt::format("unknown node '{}'{}", printable(written.name), hint(written.name, names, "nodes")));
+                return;
+            }
+            break;
+        }
+        case Expression::Kind::node:
+            break;
+    }
+    value.node = {static_cast<std::uint32_t>(node)};
+    const layers::NodeKind* found = in.nodes[node].kind;
+    if (found && found->result == ir::Type::Color && kind == FieldKind::number) {
+        std::string who = written.kind == Expression::Kind::node_name ? fmt::format("node '{}'", printable(written.name)) : fmt::format("'{}'", found->name);
+        error(Code::node_type, written.at, fmt::format("{} gives a colour, expected a number", who));
+    }
+}
+
+std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const Field> fields,
+                                        std::span<const FieldEntry> entries) {
+    std::vector<FieldValue> out_values;
+    for (const Field& row : fields) {
+        FieldValue value{.number = {row.fallback, row.fallback, row.fallback}};
+        if (row.kind == FieldKind::choice || row.kind == FieldKind::integer) value.index = static_cast<std::uint32_t>(row.fallback);
+        out_values.push_back(value);
+    }
+    for (const FieldEntry& entry : entries) {
+        const Field& row = fields[entry.field];
+        FieldValue& value = out_values[entry.field];
+        value.given = true;
+        value.index = entry.index;
+        value.uv = entry.uv;
+        if (row.kind != FieldKind::texture) {
+            expression(entry.expression, row.kind, value);
+            continue;
+        }
+        auto index = find_texture(entry.word, entry.at);
+        if (!index) continue;
+        const TextureDecl& decl = in.textures[*index];
+        if (!decl.faulty && std::find(row.encodings.begin(), row.encodings.end(), decl.encoding) == row.encodings.end()) {
+            std::vector<std::string_view> expected;
+            for (ir::TextureEncoding encoding : row.encodings) expected.push_back(ir::encoding_name(encoding));
+            error(Code::wrong_encoding, entry.at,
+                  fmt::format("{} cannot read texture '{}' of encoding '{}', expected {}", owner, printable(entry.word),
+                              ir::encoding_name(decl.encoding), one_of(expected)),
+                  {note("it is declared here", decl.name.at)});
+        }
+        value.index = texture_index[*index];
+    }
+    return out_values;
+}
+
+void Checker::nodes() {
+    for (const NodeDecl& decl : in.nodes) {
+        layers::NodeInstance instance{.kind = decl.kind, .name = decl.name.value};
+        if (decl.kind) {
+            instance.values = values(fmt::format("a node of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
+            together(*decl.kind, decl.at, decl.entries, instance.values);
+        }
+        out.nodes.push_back(std::move(instance));
+    }
+    node_cycles();
+}
+
+// Walks from every node with a stack of its own; each cycle is reported once, with its path.
+void Checker::node_cycles() {
+    enum class State : std::uint8_t { fresh, open, done };
+    std::vector<State> state(out.nodes.size(), State::fresh);
+    struct Step {
+        std::uint32_t node;
+        std::size_t next_field;
+    };
+    for (std::uint32_t start = 0; start < out.nodes.size(); ++start) {
+        std::vector<Step> path;
+        if (state[start] == State::fresh) path.push_back({start, 0});
+        while (!path.empty()) {
+            Step& step = path.back();
+            state[step.node] = State::open;
+            const auto& fields = out.nodes[step.node].values;
+            while (step.next_field < fields.size() && !fields[step.next_field].node.valid()) ++step.next_field;
+            if (step.next_field == fields.size()) {
+                state[step.node] = State::done;
+                path.pop_back();
+                continue;
+            }
+            std::uint32_t next = fields[step.next_field++].node.index;
+            if (state[next] == State::fresh) {
+                path.push_back({next, 0});
+            } else if (state[next] == State::open) {
+                auto from = std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.node == next; });
+                std::string names;
+                for (auto it = from; it != path.end(); ++it) {
+                    const std::string& name = out.nodes[it->node].name;
+                    if (!name.empty()) names += fmt::format("'{}' -> ", printable(name));
+                }
+                error(Code::node_cycle, in.nodes[next].name.at, fmt::format("nodes form a cycle: {}'{}'", names, printable(out.nodes[next].name)));
+            }
+        }
+    }
+}
+
+}  // namespace sg::material

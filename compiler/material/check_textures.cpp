@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "material/checker.hpp"
+
+namespace sg::material {
+
+namespace fs = std::filesystem;
+using enum ir::TextureEncoding;
+
+namespace {
+
+bool inside(const fs::path& path, const fs::path& root) {
+    auto [root_end, path_at] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+    return root_end == root.end();
+}
+
+bool holds_directions(ir::TextureEncoding encoding) {
+    return encoding == tangent_normal || encoding == tangent_normal_xy || encoding == derivative;
+}
+bool holds_signed_numbers(ir::TextureEncoding encoding) {
+    return holds_directions(encoding) || encoding == object_normal || encoding == world_normal;
+}
+
+}  // namespace
+
+// Textures that nothing names get no binding.
+std::vector<bool> Checker::used_textures() const {
+    std::map<std::string_view, std::size_t> by_name;
+    for (std::size_t i = 0; i < in.textures.size(); ++i) by_name.emplace(in.textures[i].name.value, i);
+    std::vector<bool> used(in.textures.size(), false);
+    auto mark = [&](const std::vector<FieldEntry>& entries) {
+        for (const FieldEntry& entry : entries) {
+            auto it = entry.word.empty() ? by_name.end() : by_name.find(entry.word);
+            if (it != by_name.end()) used[it->second] = true;
+        }
+    };
+    auto mark_layers = [&](auto& self, const std::vector<LayerDecl>& layers) -> void {
+        for (const LayerDecl& decl : layers) {
+            mark(decl.entries);
+            self(self, decl.group.layers);
+        }
+    };
+    for (const NodeDecl& node : in.nodes) mark(node.entries);
+    for (const StageDecl& stage : in.bump) mark_layers(mark_layers, stage.layers);
+    return used;
+}
+
+void Checker::texture_file(const TextureDecl& decl, CheckedTexture& texture) {
+    fs::path written(decl.file.value);
+    bool relative = !written.is_absolute() && decl.file.value.find('\0') == std::string::npos;
+    std::vector<fs::path> folders;
+    for (const fs::path& folder : roots.folders) folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
+    bool escaped = true;  // from all roots, for every folder that it could be relative to
+    for (const fs::path& folder : folders) {
+        if (!relative) break;
+        fs::path path = files.canonical(folder / written);
+        if (std::none_of(folders.begin(), folders.end(), [&](const fs::path& root) { return inside(path, root); })) continue;
+        escaped = false;
+        if (!files.exists(path)) continue;
+        Files::ReadResult result = files.read(path);
+        if (result.status == Files::Status::ok) {
+            texture.hash = content_hash(result.bytes);
+        } else {
+            error(Code::file_unreadable, decl.file.at,
+                  fmt::format("cannot read '{}': {}", printable(decl.file.value), result.reason));
+        }
+        return;
+    }
+    if (escaped) {
+        error(Code::path_escapes, decl.file.at,
+              fmt::format("path '{}' leaves the material's folder, expected a relative path below it or below an -I root",
+                          printable(decl.file.value)));
+    } else {
+        error(Code::file_missing, decl.file.at,
+              fmt::format("file '{}' does not exist, looked below the material's folder{}", printable(decl.file.value),
+                          roots.folders.size() > 1 ? " and every -I root" : ""));
+    }
+}
+
+// Settings that mean nothing for the encoding, and colour spaces that would bend data.
+void Checker::texture_settings(const TextureDecl& decl) {
+    std::string_view encoding = ir::encoding_name(decl.encoding);
+    auto unused = [&](const At& at, std::string_view key, bool meaningful) {
+        if (at.pointer.empty() || meaningful) return;
+        error(Code::unused_setting, at, fmt::format("'{}' means nothing for the encoding '{}'", key, encoding));
+    };
+    unused(decl.green_up.at, "green", holds_directions(decl.encoding));
+    unused(decl.zero.at, "zero", holds_signed_numbers(decl.encoding));
+    unused(decl.range.at, "range", decl.encoding == derivative);
+    if (decl.color_space && decl.color_space->value == ColorSpace::srgb && decl.encoding != color) {
+        error(Code::srgb_data, decl.color_space->at,
+              fmt::format("texture '{}' of encoding '{}' is declared 'srgb', expected 'linear'", printable(decl.name.value), encoding));
+    }
+}
+
+void Checker::textures() {
+    std::vector<bool> used = used_textures();
+    texture_index.assign(in.textures.size(), 0);
+    for (std::size_t i = 0; i < in.textures.size(); ++i) {
+        const TextureDecl& decl = in.textures[i];
+        if (!decl.faulty) texture_settings(decl);
+        ColorSpace natural = decl.encoding == color ? ColorSpace::srgb : ColorSpace::linear;
+        CheckedTexture texture{.name = decl.name.value,
+                               .file = decl.file.value,
+                               .encoding = decl.encoding,
+                               .facts = {decl.green_up.value, decl.zero.value, decl.range.value},
+                               .color_space = decl.color_space ? decl.color_space->value : natural,
+                               .sampler = decl.sampler};
+        if (!decl.file.value.empty()) {
+            texture_file(decl, texture);
+        } else if (!decl.file.at.pointer.empty()) {
+            error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
+        }
+        texture_index[i] = static_cast<std::uint32_t>(out.textures.size());
+        if (used[i]) out.textures.push_back(std::move(texture));
+    }
+}
+
+}  // namespace sg::material

@@ -1,0 +1,61 @@
+// The checker's state: what the files check*.cpp share.
+#pragma once
+
+#include <map>
+
+#include "material/checked.hpp"
+
+namespace sg::material {
+
+struct Checker {
+    const Material& in;
+    Files& files;
+    const Roots& roots;
+    Diags& diags;
+    CheckedMaterial out{};
+    std::vector<std::uint32_t> texture_index;  // from Material::textures to CheckedMaterial::textures
+
+    void error(Code code, const At& at, std::string message, std::vector<Note> notes = {}) {
+        diags.error(code, {in.source, at.span, at.pointer}, std::move(message), std::move(notes));
+    }
+    Note note(std::string text, const At& at) { return {std::move(text), {in.source, at.span, at.pointer}}; }
+
+    // check.cpp
+    void ids();
+    void claim_layers(const std::vector<LayerDecl>& layers, std::map<std::string_view, At>& seen);
+    CheckedLayer layer(const LayerDecl& decl);
+    void surface();
+    std::size_t layer_count = 0;
+
+    // check_fields.cpp
+    std::optional<std::size_t> find_texture(const std::string& name, const At& at);
+    ir::ParameterId find_parameter(const std::string& name, const At& at, std::span<const ParameterType> types);
+    void expression(const Expression& written, layers::FieldKind kind, layers::FieldValue& value);
+    std::vector<layers::FieldValue> values(std::string_view owner, std::span<const layers::Field> fields,
+                                           std::span<const FieldEntry> entries);
+    template <class Kind>
+    void together(const Kind& kind, const At& at, std::span<const FieldEntry> entries, layers::FieldValues found);
+    void nodes();
+    void node_cycles();
+
+    // check_textures.cpp
+    void textures();
+    std::vector<bool> used_textures() const;
+    void texture_settings(const TextureDecl& decl);
+    void texture_file(const TextureDecl& decl, CheckedTexture& texture);
+};
+
+// A fault of fields that are each valid alone.
+template <class Kind>
+void Checker::together(const Kind& kind, const At& at, std::span<const FieldEntry> entries, layers::FieldValues found) {
+    if (!kind.check) return;
+    auto fault = kind.check(found);
+    if (!fault) return;
+    At place = at;
+    for (const FieldEntry& entry : entries) {
+        if (entry.field == fault->field) place = entry.at;
+    }
+    error(Code::unused_setting, place, fault->message);
+}
+
+}  // namespace sg::material

@@ -1,0 +1,117 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "material/reader.hpp"
+
+namespace sg::material {
+
+using json::Kind;
+using json::Value;
+using layers::Field;
+using layers::FieldKind;
+
+// Numbers, "$parameter" and, where `nodes`, "@node" or a node in place.
+std::optional<Expression> Reader::expression(ObjectReader& reader, std::string_view key, std::size_t count, Range range,
+                                             bool spread, bool nodes) {
+    const Value* value = reader.get(key);
+    if (!value) return std::nullopt;
+    Expression found{.at = reader.at(key, *value)};
+    if (value->kind == Kind::string && value->string.starts_with('$')) {
+        found.kind = Expression::Kind::parameter;
+        found.name = value->string.substr(1);
+        return found;
+    }
+    if (nodes && value->kind == Kind::string && value->string.starts_with('@')) {
+        found.kind = Expression::Kind::node_name;
+        found.name = value->string.substr(1);
+        return found;
+    }
+    if (nodes && value->kind == Kind::object) {
+        found.kind = Expression::Kind::node;
+        found.node = out.nodes.size();
+        out.nodes.emplace_back();
+        node(*value, found.at.pointer, found.node);
+        return found;
+    }
+    auto numbers = reader.numbers(key, count, range, spread, nodes ? "a \"$parameter\", a \"@node\" or a node" : "a \"$parameter\"");
+    if (!numbers) return std::nullopt;
+    found.numbers = std::move(*numbers);
+    return found;
+}
+
+std::optional<layers::Coordinate> Reader::coordinate(ObjectReader& reader, std::string_view key) {
+    const Value* value = reader.get(key);
+    layers::Coordinate found;
+    if (value->kind != Kind::object) {
+        auto set = reader.integer(key, {0, 7}, false, "a uv set or an object");
+        if (!set) return std::nullopt;
+        found.set = *set;
+        return found;
+    }
+    ObjectReader inner = object(*value, reader.at(key, *value).pointer, "a coordinate", {"set", "scale", "rotation", "offset", "speed"});
+    found.set = inner.integer("set", {0, 7}).value_or(0);
+    found.rotation = inner.number("rotation", {-3600, 3600}).value_or(0);
+    auto pair = [&](std::string_view name, std::array<double, 2>& slot, Range range) {
+        if (auto numbers = inner.numbers(name, 2, range, true, "")) slot = {(*numbers)[0], (*numbers)[1]};
+    };
+    pair("scale", found.scale, {-10000, 10000});
+    pair("offset", found.offset, {-10000, 10000});
+    pair("speed", found.speed, {-1000, 1000});
+    return found;
+}
+
+std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, std::size_t index) {
+    const Value* value = reader.get(row.name, row.required);
+    if (!value) return std::nullopt;
+    FieldEntry entry{.field = index, .at = reader.at(row.name, *value)};
+    Range range{row.minimum, row.maximum};
+    auto take = [&](auto found, auto& slot) {
+        if (found) slot = std::move(*found);
+        return found.has_value() ? std::optional(entry) : std::nullopt;
+    };
+    switch (row.kind) {
+        case FieldKind::texture:
+            return take(reader.name(row.name), entry.word);
+        case FieldKind::uv:
+            return take(coordinate(reader, row.name), entry.uv);
+        case FieldKind::choice:
+            if (auto choice = reader.choice(row.name, row.choices, false)) {
+                entry.index = static_cast<std::uint32_t>(*choice);
+                return entry;
+            }
+            return std::nullopt;
+        case FieldKind::integer:
+            return take(reader.integer(row.name, range), entry.index);
+        case FieldKind::number:
+            return take(expression(reader, row.name, 1, range, false, true), entry.expression);
+        case FieldKind::pair:
+            return take(expression(reader, row.name, 2, range, true, false), entry.expression);
+        case FieldKind::color:
+            return take(expression(reader, row.name, 3, range, false, true), entry.expression);
+        case FieldKind::range:
+            return take(reader.numbers(row.name, 2, range, false, ""), entry.expression.numbers);
+        case FieldKind::direction:
+            break;
+    }
+    auto numbers = reader.numbers(row.name, 3, {-1e6, 1e6}, false, "");
+    if (!numbers) return std::nullopt;
+    double length = std::hypot((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    if (!(length > 0)) {
+        reader.error(Code::out_of_range, entry.at, fmt::format("'{}' is 0, 0, 0, expected a direction", row.name));
+        return std::nullopt;
+    }
+    for (double& n : *numbers) n /= length;
+    entry.expression.numbers = std::move(*numbers);
+    return entry;
+}
+
+std::vector<FieldEntry> Reader::entries(ObjectReader& reader, std::span<const Field> fields) {
+    std::vector<FieldEntry> found;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (auto entry = field(reader, fields[i], i)) found.push_back(std::move(*entry));
+    }
+    return found;
+}
+
+}  // namespace sg::material

@@ -1,0 +1,129 @@
+#include <fmt/core.h>
+
+#include "material/reader.hpp"
+
+namespace sg::material {
+
+using json::Value;
+using layers::Field;
+using layers::LayerKind;
+using layers::NodeKind;
+
+namespace {
+
+constexpr std::string_view kGroup = "group";
+
+std::vector<std::string_view> all_keys(const Value& value) {
+    std::vector<std::string_view> keys;
+    for (const json::Member& member : value.members) keys.push_back(member.key);
+    return keys;
+}
+
+void add_names(std::vector<std::string_view>& keys, std::span<const Field> fields) {
+    for (const Field& row : fields) keys.push_back(row.name);
+}
+
+}  // namespace
+
+std::optional<LayerDecl> Reader::group(const Value& value, const std::string& pointer) {
+    std::vector<std::string_view> keys = {"id", "kind", "layers"};
+    add_names(keys, layers::common_fields());
+    ObjectReader reader = object(value, pointer, "a group", keys);
+    LayerDecl decl{.at = reader.at()};
+    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    decl.common = entries(reader, layers::common_fields());
+    for (const auto& [item, item_pointer] : reader.array("layers", true)) {
+        if (auto found = layer(*item, item_pointer)) decl.group.layers.push_back(std::move(*found));
+    }
+    return decl;
+}
+
+std::optional<LayerDecl> Reader::layer(const Value& value, const std::string& pointer) {
+    // The kind decides which keys there are, so it is looked up first.
+    const Value* kind_value = value.kind == json::Kind::object ? value.find("kind") : nullptr;
+    const LayerKind* kind = nullptr;
+    if (kind_value && kind_value->kind == json::Kind::string) {
+        if (kind_value->string == kGroup) return group(value, pointer);
+        kind = layers::find_kind(kind_value->string);
+        if (!kind) {
+            std::vector<std::string_view> names = {kGroup};
+            for (const LayerKind* k : layers::all_kinds()) names.push_back(k->name);
+            std::string hint = did_you_mean(kind_value->string, names);
+            if (hint.empty()) hint = fmt::format(", expected {}", one_of(names));
+            diags.error(Code::unknown_kind, {source, kind_value->span, pointer + "/kind"},
+                        fmt::format("unknown layer kind '{}'{}", printable(kind_value->string), hint));
+            return std::nullopt;
+        }
+    }
+    std::vector<std::string_view> keys = {"id", "kind"};
+    if (kind) {
+        add_names(keys, kind->fields);
+        add_names(keys, layers::common_fields());
+    } else if (value.kind == json::Kind::object) {
+        keys = all_keys(value);  // unknowable without a kind
+    }
+    ObjectReader reader = object(value, pointer, kind ? fmt::format("a layer of kind '{}'", kind->name) : "a layer", keys);
+    if (!reader.string("kind", true) || !kind) return std::nullopt;
+    LayerDecl decl{.kind = kind, .at = reader.at()};
+    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    decl.entries = entries(reader, kind->fields);
+    decl.common = entries(reader, layers::common_fields());
+    return decl;
+}
+
+void Reader::stage(const Value& value, const std::string& pointer) {
+    ObjectReader reader = object(value, pointer, "an entry of 'bump'", {"id", "layers"});
+    if (!reader.ok()) return;
+    StageDecl decl{.at = reader.at()};
+    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    for (const auto& [item, item_pointer] : reader.array("layers", true)) {
+        if (auto found = layer(*item, item_pointer)) decl.layers.push_back(std::move(*found));
+    }
+    out.bump.push_back(std::move(decl));
+}
+
+// A node without "op" that names a texture is short for reading it: its channel, or its colour.
+void Reader::node(const Value& value, const std::string& pointer, std::size_t index) {
+    out.nodes[index].at = {value.span, pointer};
+    const Value* op = value.kind == json::Kind::object ? value.find("op") : nullptr;
+    const NodeKind* kind = nullptr;
+    if (op && op->kind == json::Kind::string) {
+        kind = layers::find_node_kind(op->string);
+        if (!kind) {
+            std::vector<std::string_view> names;
+            for (const NodeKind& k : layers::all_node_kinds()) names.push_back(k.name);
+            std::string hint = did_you_mean(op->string, names);
+            if (hint.empty()) hint = fmt::format(", expected {}", one_of(names));
+            diags.error(Code::unknown_kind, {source, op->span, pointer + "/op"},
+                        fmt::format("unknown node '{}'{}", printable(op->string), hint));
+            return;
+        }
+    } else if (!op && value.kind == json::Kind::object && value.find("texture")) {
+        kind = layers::find_node_kind(value.find("channel") ? "texture" : "texture_color");
+    }
+    std::vector<std::string_view> keys = {"op"};
+    if (kind) {
+        add_names(keys, kind->fields);
+    } else if (value.kind == json::Kind::object) {
+        keys = all_keys(value);
+    }
+    ObjectReader reader = object(value, pointer, kind ? fmt::format("a node of kind '{}'", kind->name) : "a node", keys);
+    if (!kind) {
+        reader.string("op", true);
+        return;
+    }
+    std::vector<FieldEntry> found = entries(reader, kind->fields);  // may add nodes: no reference is held across it
+    out.nodes[index].kind = kind;
+    out.nodes[index].entries = std::move(found);
+}
+
+// All names are known before any node is read, so that nodes written in place come behind them.
+void Reader::named_nodes(ObjectReader& reader) {
+    auto members = reader.named("nodes");
+    for (const auto& [member, pointer] : members) {
+        out.nodes.push_back({.name = {member->key, {member->key_span, pointer}}});
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) node(members[i].first->value, members[i].second, i);
+}
+
+}  // namespace sg::material

@@ -1,0 +1,42 @@
+// The reader's state: what the files read*.cpp share.
+#pragma once
+
+#include "material/material.hpp"
+#include "material/object_reader.hpp"
+
+namespace sg::material {
+
+struct Reader {
+    SourcePtr source;
+    Diags& diags;
+    Material out{};
+
+    ObjectReader object(const json::Value& value, std::string pointer, std::string what,
+                        std::vector<std::string_view> keys) {
+        return {source, value, std::move(pointer), std::move(what), std::move(keys), diags};
+    }
+
+    void parameter(const json::Member& member, const std::string& pointer);
+    void texture(const json::Member& member, const std::string& pointer);
+    SamplerDecl sampler(const json::Value& value, const std::string& pointer);
+    void surface(const json::Value& value, const std::string& pointer);
+    void document(const json::Value& root);
+
+    // read_layers.cpp
+    void stage(const json::Value& value, const std::string& pointer);
+    std::optional<LayerDecl> layer(const json::Value& value, const std::string& pointer);
+    std::optional<LayerDecl> group(const json::Value& value, const std::string& pointer);
+    void named_nodes(ObjectReader& reader);
+    void node(const json::Value& value, const std::string& pointer, std::size_t index);
+
+    // read_fields.cpp
+    std::vector<FieldEntry> entries(ObjectReader& reader, std::span<const layers::Field> fields);
+    std::optional<FieldEntry> field(ObjectReader& reader, const layers::Field& row, std::size_t index);
+    std::optional<Expression> expression(ObjectReader& reader, std::string_view key, std::size_t count, Range range,
+                                         bool spread, bool nodes);
+    std::optional<layers::Coordinate> coordinate(ObjectReader& reader, std::string_view key);
+};
+
+constexpr Range kAnyNumber{-3.0e38, 3.0e38};  // what a 32-bit float can hold
+
+}  // namespace sg::material

@@ -1,0 +1,208 @@
+#include "schema.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/ice.hpp"
+#include "layers/kind.hpp"
+#include "material/material.hpp"
+
+namespace sg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using layers::Field;
+using layers::FieldKind;
+
+Json reference(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
+Json number(double minimum, double maximum) { return {{"type", "number"}, {"minimum", minimum}, {"maximum", maximum}}; }
+Json numbers(std::size_t count, const Json& item) { return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}}; }
+Json words(std::span<const std::string_view> choices) {
+    Json list = Json::array();
+    for (std::string_view word : choices) list.push_back(word);
+    return {{"enum", list}};
+}
+
+Json object(Json properties, std::vector<std::string> required = {}) {
+    Json out = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+    if (!required.empty()) out["required"] = required;
+    return out;
+}
+
+Json value_of(const Field& field) {
+    Json bounded = number(field.minimum, field.maximum);
+    switch (field.kind) {
+        case FieldKind::texture:
+            return reference("name");
+        case FieldKind::uv:
+            return reference("uv");
+        case FieldKind::choice:
+            return words(field.choices);
+        case FieldKind::integer:
+            return {{"type", "integer"}, {"minimum", field.minimum}, {"maximum", field.maximum}};
+        case FieldKind::number:
+            return {{"anyOf", {bounded, reference("parameter reference"), reference("node reference"), reference("node")}}};
+        case FieldKind::pair:
+            return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter reference")}}};
+        case FieldKind::color:
+            return {{"anyOf", {numbers(3, bounded), reference("parameter reference"), reference("node reference"), reference("node")}}};
+        case FieldKind::direction:
+            return numbers(3, number(-1e6, 1e6));
+        case FieldKind::range:
+            return numbers(2, bounded);
+    }
+    SG_UNREACHABLE("a field of no kind");
+}
+
+Json described(const Field& field) {
+    Json out = value_of(field);
+    std::string unit = field.unit.empty() ? "" : fmt::format(" ({})", field.unit);
+    out["description"] = std::string(field.doc) + unit;
+    if (field.required || field.kind == FieldKind::texture || field.kind == FieldKind::range || field.kind == FieldKind::direction) return out;
+    if (field.kind == FieldKind::choice) {
+        out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
+    } else {
+        out["default"] = field.fallback;
+    }
+    return out;
+}
+
+void add_fields(Json& properties, std::vector<std::string>& required, std::span<const Field> fields) {
+    for (const Field& field : fields) {
+        properties[std::string(field.name)] = described(field);
+        if (field.required) required.emplace_back(field.name);
+    }
+}
+
+Json layer_schema(const layers::LayerKind& kind) {
+    Json properties = {{"id", reference("name")}, {"kind", {{"const", kind.name}}}};
+    std::vector<std::string> required = {"kind"};
+    add_fields(properties, required, kind.fields);
+    add_fields(properties, required, layers::common_fields());
+    Json out = object(properties, required);
+    out["description"] = kind.doc;
+    return out;
+}
+
+Json group_schema() {
+    Json properties = {{"id", reference("name")},
+                       {"kind", {{"const", "group"}}},
+                       {"layers", {{"type", "array"}, {"items", reference("layer")}}}};
+    std::vector<std::string> required = {"kind", "layers"};
+    add_fields(properties, required, layers::common_fields());
+    return object(properties, required);
+}
+
+// `shorthand`: without "op".
+Json node_schema(const layers::NodeKind& kind, bool shorthand) {
+    Json properties = Json::object();
+    std::vector<std::string> required;
+    if (!shorthand) {
+        properties["op"] = {{"const", kind.name}};
+        required.emplace_back("op");
+    }
+    add_fields(properties, required, kind.fields);
+    if (shorthand && kind.name == "texture") required.emplace_back("channel");
+    Json out = object(properties, required);
+    out["description"] = kind.doc;
+    return out;
+}
+
+Json layer_definition() {
+    Json any = Json::array({group_schema()});
+    for (const layers::LayerKind* kind : layers::all_kinds()) any.push_back(layer_schema(*kind));
+    return {{"anyOf", any}};
+}
+
+Json node_definition() {
+    Json any = Json::array();
+    for (const layers::NodeKind& kind : layers::all_node_kinds()) any.push_back(node_schema(kind, false));
+    for (std::string_view name : {"texture", "texture_color"}) any.push_back(node_schema(*layers::find_node_kind(name), true));
+    return {{"anyOf", any}};
+}
+
+Json uv_definition() {
+    Json pair = {{"anyOf", {number(-10000, 10000), numbers(2, number(-10000, 10000))}}};
+    Json speed = {{"anyOf", {number(-1000, 1000), numbers(2, number(-1000, 1000))}}};
+    Json set = {{"type", "integer"}, {"minimum", 0}, {"maximum", 7}};
+    return {{"anyOf", {set, object({{"set", set}, {"scale", pair}, {"rotation", number(-3600, 3600)}, {"offset", pair}, {"speed", speed}})}}};
+}
+
+Json texture_definition() {
+    constexpr std::string_view kGreen[] = {"up", "down"}, kSpace[] = {"linear", "srgb"}, kWrap[] = {"repeat", "clamp", "mirror"},
+                               kFilter[] = {"nearest", "linear"};
+    Json sampler = object({{"wrap", words(kWrap)},
+                           {"wrap_s", words(kWrap)},
+                           {"wrap_t", words(kWrap)},
+                           {"filter", words(kFilter)},
+                           {"mip_filter", words(kFilter)},
+                           {"anisotropy", {{"type", "integer"}, {"minimum", 1}, {"maximum", 16}}}});
+    return object({{"file", {{"type", "string"}, {"minLength", 1}}},
+                   {"encoding", words(ir::encoding_names())},
+                   {"green", words(kGreen)},
+                   {"zero", {{"enum", {127, 127.5, 128}}}},
+                   {"range", number(1e-6, 128)},
+                   {"color_space", words(kSpace)},
+                   {"sampler", sampler}},
+                  {"file", "encoding"});
+}
+
+Json parameter_definition() {
+    constexpr std::string_view kTypes[] = {"float", "vec2", "vec3", "vec4", "color"};
+    Json any = {{"anyOf", {{{"type", "number"}}, {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
+    return object({{"type", words(kTypes)},
+                   {"default", any},
+                   {"range", numbers(2, {{"type", "number"}})},
+                   {"label", {{"type", "string"}}},
+                   {"unit", {{"type", "string"}}}},
+                  {"type", "default"});
+}
+
+Json surface_definition() {
+    auto expression = [](std::size_t count, double maximum) {
+        Json bounded = number(0, maximum);
+        return Json{{"anyOf", {count == 1 ? bounded : numbers(count, bounded), reference("parameter reference"), reference("node reference"), reference("node")}}};
+    };
+    constexpr std::string_view kSides[] = {"off", "mirror", "flip"};
+    return object({{"base_color", expression(3, 1)},
+                   {"metallic", expression(1, 1)},
+                   {"roughness", expression(1, 1)},
+                   {"occlusion", expression(1, 1)},
+                   {"emission", expression(3, 1e4)},
+                   {"opacity", expression(1, 1)},
+                   {"alpha_test", number(0, 1)},
+                   {"two_sided", words(kSides)}});
+}
+
+// An object whose keys are names.
+Json named(Json item) {
+    return {{"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", std::move(item)}};
+}
+
+}  // namespace
+
+std::string schema_text() {
+    Json definitions = {{"name", {{"type", "string"}, {"minLength", 1}, {"maxLength", 64}}},
+                        {"parameter reference", {{"type", "string"}, {"pattern", "^\\$.+"}}},
+                        {"node reference", {{"type", "string"}, {"pattern", "^@.+"}}},
+                        {"uv", uv_definition()},
+                        {"node", node_definition()},
+                        {"layer", layer_definition()}};
+    Json stage = object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}}, {"layers"});
+    Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "surfgrad material"}};
+    out.update(object({{"$schema", {{"type", "string"}}},
+                       {"version", {{"const", material::kVersion}}},
+                       {"name", reference("name")},
+                       {"description", {{"type", "string"}}},
+                       {"parameters", named(parameter_definition())},
+                       {"textures", named(texture_definition())},
+                       {"nodes", named(reference("node"))},
+                       {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
+                       {"surface", surface_definition()}},
+                      {"version"}));
+    out["definitions"] = definitions;
+    return out.dump(2) + "\n";
+}
+
+}  // namespace sg
