@@ -8,7 +8,17 @@
 
 namespace sg::samples {
 
-// How a texture keeps its normals; the words are those of a material file's "textures".
+// What the texels hold.
+enum class Content {
+    normal,         // tangent-space normals of the height
+    height,         // the height, from `low` to `high` over 0..1, in all channels
+    derivative,     // the derivative of the height, `high` over 1, in red and green
+    mask,           // 0 or 1 with soft borders, by a smooth noise of its own
+    color,          // sRGB: dark where the height is low
+    object_normal,  // object-space normals of the built-in sphere, displaced by the height (4 by 2 tiles over it)
+};
+
+// How a texture keeps its content; the words are those of a material file's "textures".
 struct TextureRecipe {
     std::string_view file;  // in materials/textures
     std::uint32_t size;     // texels per side
@@ -16,6 +26,8 @@ struct TextureRecipe {
     bool two_channels;  // tangent_normal_xy: blue stays 0
     bool green_up;
     double zero;  // 127, 127.5 or 128
+    Content content = Content::normal;
+    double low = 0.0, high = 1.0;
 };
 std::span<const TextureRecipe> texture_recipes();
 

@@ -7,7 +7,7 @@
 
 #include "compile.hpp"
 #include "emit/glsl.hpp"
-#include "layers/layer_kind.hpp"
+#include "layers/kind.hpp"
 #include "tests/support/golden.hpp"
 
 namespace sg {

@@ -30,8 +30,8 @@ layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // ramps: normal_map
     vec2 m_ramps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_uv0).xyz, 127.5)));
@@ -46,8 +46,8 @@ void main() {
 
     // grain: normal_map
     SgUv m_grain_uv = sg_uv_scale(sg_stage_uv(sg_in_uv1), sg_material.p_grain);
-    vec2 m_grain_deriv = -0.4 * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_uv).xyz, 128.0));
-    vec3 m_grain = sg_surfgrad_from_tbn(m_grain_deriv, sg_basis_uv(m_frame, m_grain_uv));
+    vec2 m_grain_scale_deriv = -0.4 * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_uv).xyz, 128.0));
+    vec3 m_grain = sg_surfgrad_from_tbn(m_grain_scale_deriv, sg_basis_uv(m_frame, m_grain_uv));
 
     // scratches: normal_map
     vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5));

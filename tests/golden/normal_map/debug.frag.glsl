@@ -20,9 +20,9 @@ layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // layer 1: normal_map
     vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));

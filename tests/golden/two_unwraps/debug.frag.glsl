@@ -26,16 +26,16 @@ layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
     vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0));
     vec3 m_weave = sg_surfgrad_from_tbn(m_weave_deriv, m_basis_vertex);
 
-    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
     // scratches: normal_map
     vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));

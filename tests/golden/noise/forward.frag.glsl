@@ -1,0 +1,44 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// eroded plaster: fragment shader of the entry point 'forward', made by surfgradc.
+
+#include "stage/forward.glsl"
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/noise.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_dents;
+} sg_material;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 13) in vec3 sg_in_world_position;
+layout(location = 0) out vec4 sg_out_color;
+
+void main() {
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+
+    // forms: noise
+    vec3 m_forms_gradient_from_object = sg_stage_gradient_from_object(2.5 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
+
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+
+    // dents: noise
+    vec3 m_dents_gradient = 3.0 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
+
+    vec3 m_add_volgrad = 0.05 * m_forms_gradient_from_object + sg_material.p_dents * sg_stage_gradient_from_object(m_dents_gradient);
+
+    // grain: noise
+    vec3 m_grain_gradient = 45.0 * sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
+
+    vec3 m_normal = sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + 0.0025 * m_grain_gradient));
+    SgSurface sg_surface = SgSurface(vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, m_normal);
+    sg_out_color = vec4(sg_radiance, 1.0);
+}
