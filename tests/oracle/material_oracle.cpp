@@ -165,12 +165,33 @@ Material::Material(const std::string& sample, Levels levels) {
         }
         bindings.textures[i].texels = &textures[i];
     }
+    give_each_read_its_own_texture();
     for (const ir::Parameter& parameter : module.parameters) {
         std::array<double, 4> number{};
         for (const runtime::Parameter& p : made.artefact.parameters->parameters) {
             if (p.name == parameter.name) std::copy(p.initial.begin(), p.initial.end(), number.begin());
         }
         bindings.parameters.push_back(ir::datum_of(parameter.type, number));
+    }
+}
+
+// Rounding errs in each read by itself, so that the reads of one texture must be movable one by one.
+void Material::give_each_read_its_own_texture() {
+    std::vector<bool> read(module.textures.size(), false);
+    for (ir::Value& value : module.values) {
+        if (ir::info(value.op).attribute != ir::Attribute::Texture) continue;
+        const std::uint32_t texture = value.index;
+        if (!read[texture]) {
+            read[texture] = true;
+            continue;
+        }
+        value.index = static_cast<std::uint32_t>(module.textures.size());
+        module.textures.push_back(ir::Texture(module.textures[texture]));
+        textures.push_back(ref::MemoryTexture(textures[texture]));
+        bindings.textures.push_back(ir::Sampled(bindings.textures[texture]));
+    }
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        if (!textures[i].chain.empty()) bindings.textures[i].texels = &textures[i];
     }
 }
 
@@ -213,6 +234,11 @@ std::vector<PixelInputs> draw_inputs(const std::string& sample, Seen seen) {
                 auto at = [&](int c) { return slopes.at(x, y, c); };
                 pixel.uvs[set] = {dvec2(vec3(name)), {at(0), at(1)}, {at(2), at(3)}};
             }
+            auto volume = [&](const std::string& name, ir::Volume& into) {
+                if (pictures.contains(name)) into = {vec3(name), vec3(name + "-dx"), vec3(name + "-dy")};
+            };
+            volume("object-position", pixel.object);
+            volume("world-position", pixel.world);
             out.push_back(pixel);
         }
     }

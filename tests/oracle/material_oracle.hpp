@@ -26,6 +26,9 @@ struct Material {
     ir::Module module;  // as lowered, before any optimisation
     std::vector<ref::MemoryTexture> textures;
     ir::Bindings bindings;
+
+private:
+    void give_each_read_its_own_texture();
 };
 std::vector<std::string> all_samples();
 

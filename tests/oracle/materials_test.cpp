@@ -55,7 +55,8 @@ TEST_P(MaterialOracle, RenderAgreesWithTheInterpreter) {
             fmt::print("{}", text);
             EXPECT_TRUE(c.holds()) << text;
             // A bound that says nothing would not be worth its derivation.
-            EXPECT_LT(c.p999_bound, levels == Levels::first ? 0.05 : 2.0);
+            // (Near a pole a map changes by up to 3 degrees within the level that a driver may be off.)
+            EXPECT_LT(c.p999_bound, levels == Levels::first ? 0.05 : 3.0);
         }
     }
 }

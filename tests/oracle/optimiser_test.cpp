@@ -56,13 +56,23 @@ double largest_term(const Module& module, const std::vector<ir::Datum>& values) 
     return largest;
 }
 
+// Whether a step is so sharp that rounding decides on which side of it a value lies.
+bool jumps(const Module& module, const std::vector<ir::Datum>& values) {
+    auto number = [&](ir::ValueId id) { return std::get<double>(values[id.index]); };
+    return std::any_of(module.values.begin(), module.values.end(), [&](const ir::Value& v) {
+        return v.op == Op::smoothstep && std::abs(number(v.operands[0]) - number(v.operands[1])) < 1e-6;
+    });
+}
+
 // The largest difference of any output that `after` still has, in units of the largest term; infinite where
 // one of the two is not a number.
 double difference(const Subject& subject, const Module& before, const Module& after) {
     ir::Evaluator first(before, bindings_of(subject)), second(after, bindings_of(subject));
     double worst = 0.0;
     for (const ir::PixelInputs& pixel : subject.pixels) {
-        const double scale = largest_term(before, first.run(pixel));
+        const std::vector<ir::Datum>& values = first.run(pixel);
+        if (jumps(before, values)) continue;
+        const double scale = largest_term(before, values);
         second.run(pixel);
         for (const ir::OutputBinding& output : after.outputs) {
             const std::vector<double> a = ir::components(first.output(output.output, output.set));
@@ -77,7 +87,7 @@ double difference(const Subject& subject, const Module& before, const Module& af
 }
 
 constexpr double kEqual = 1e-12;
-constexpr std::uint64_t kModules = 2000;
+constexpr std::uint64_t kModules = 5000;
 
 TEST(OptimiserMeaning, RandomModulesVerify) {
     std::map<Op, std::size_t> seen;
@@ -123,7 +133,7 @@ TEST(OptimiserMeaning, StaysWithAllRulesAndWithoutEach) {
 
 TEST(OptimiserMeaning, WrongRewritesAreNoticed) {
     std::map<std::string_view, std::array<std::size_t, 2>> counts;  // applied, noticed
-    for (std::uint64_t i = 0; i < kModules; ++i) {
+    for (std::uint64_t i = 0; i < 3 * kModules; ++i) {
         const Subject subject = make_subject(i);
         const Module good = opt::optimise(subject.made.module);
         for (const ModuleMutant& mutant : all_module_mutants()) {

@@ -13,7 +13,7 @@ using ir::Op;
 using ir::Type;
 using ir::ValueId;
 
-constexpr std::size_t kValues = 120;
+constexpr std::size_t kValues = 120, kMaxDepth = 3;
 constexpr std::uint32_t kTextures = 2, kSets = 3;
 
 class Generator {
@@ -63,9 +63,17 @@ private:
         const bool source = op.operands.empty() && op.attribute != ir::Attribute::Number;
         if (source && !by_type_[op.result].empty() && below(6) != 0) return;
         ir::Value value{.op = op.op, .type = op.result};
+        std::size_t depth = 0;
         for (Type type : op.operands) {
             if (by_type_[type].empty()) return;
             value.operands.push_back(pick(by_type_[type]));
+            depth = std::max(depth, depth_[value.operands.back().index]);
+        }
+        if (grows(op.result)) {
+            depth += op.op == Op::power ? kMaxDepth : 1;  // nothing but plain numbers under a power
+            if (depth > kMaxDepth) return;
+        } else {
+            depth = 0;
         }
         constexpr double kZeros[] = {127, 127.5, 128};
         constexpr Type kConstants[] = {Type::Scalar, Type::Scalar, Type::Vec2,
@@ -88,14 +96,32 @@ private:
                 value.type = kConstants[below(std::size(kConstants))];
                 for (std::size_t i = 0; i < ir::component_count(value.type); ++i) value.number[i] = number();
                 break;
+            case ir::Attribute::Count:
+                value.index = static_cast<std::uint32_t>(below(4)) + 1;
+                break;
+            case ir::Attribute::Channel:
+            case ir::Attribute::Corner:
+                value.index = static_cast<std::uint32_t>(below(4));
+                break;
+            case ir::Attribute::Axis:
+                value.index = static_cast<std::uint32_t>(below(3));
+                break;
             case ir::Attribute::None:
                 break;
         }
+        depth_.push_back(depth);
         by_type_[value.type].push_back({static_cast<std::uint32_t>(out_.module.values.size())});
         out_.module.values.push_back(std::move(value));
     }
 
+    // Arithmetic on these has no bound of its own: a power of a power would soon be infinite.
+    static bool grows(Type type) {
+        return type == Type::Scalar || type == Type::Vec2 || type == Type::Color || type == Type::Volume || type == Type::Noise ||
+               type == Type::LocalGrad || type == Type::VolGrad || type == Type::Uv;
+    }
+
     std::mt19937_64& random_;
+    std::vector<std::size_t> depth_;  // of arithmetic that led to each value
     RandomModule out_;
     std::map<Type, std::vector<ValueId>> by_type_;
 };

@@ -59,9 +59,15 @@ std::size_t covered_count(const runtime::Picture& picture) {
 // What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the
 // square of (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of
 // 2^-24 there, doubled by the square, are relative to a^2.
+// The smallest roughness that a number, or a mix of two of them, can give.
+double least_roughness(const nlohmann::json& written) {
+    if (written.is_number()) return written.get<double>();
+    return std::min(least_roughness(written.at("a")), least_roughness(written.at("b")));
+}
+
 double limit(const std::string& json, const std::string& view) {
     if (view != "lit") return 1e-5;
-    const double roughness = nlohmann::json::parse(json)["surface"].value("roughness", 0.5);
+    const double roughness = least_roughness(nlohmann::json::parse(json)["surface"].value("roughness", nlohmann::json(0.5)));
     return std::max(1e-5, 8 * std::ldexp(1, -24) / std::pow(roughness, 4));
 }
 
@@ -97,10 +103,13 @@ TEST_P(Samples, EveryDebugViewDrawsFiniteNumbers) {
     EXPECT_EQ(validation_messages(), std::vector<std::string>{});
 }
 
-// Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place.
+// Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place. Layers that mix
+// cover what lies before them, so that their order means something.
 TEST_P(Samples, OrderOfLayersDoesNotMatter) {
     nlohmann::json material = nlohmann::json::parse(files().at(GetParam()));
-    if (!material.contains("bump")) return;
+    if (files().at(GetParam()).find("\"blend\": \"mix\"") != std::string::npos) {
+        GTEST_SKIP() << GetParam() << " mixes layers, which has an order";
+    }
     for (auto& stage : material["bump"]) std::reverse(stage["layers"].begin(), stage["layers"].end());
     Recipe reversed = recipe();
     reversed.json = material.dump();
