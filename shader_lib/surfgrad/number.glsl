@@ -1,4 +1,5 @@
 // Arithmetic that every target agrees on, at the edges too.
+// Source: the GLSL specification, 8.2 and 8.3, with a result where it leaves one undefined.
 #ifndef SG_NUMBER
 #define SG_NUMBER
 
@@ -12,7 +13,7 @@ float sg_power(float a, float b) { return a > 0.0 ? pow(a, b) : 0.0; }
 
 // A smooth step from 0 at `low` to 1 at `high`.
 //   low, high, x: any. Result: 0..1; falls where low > high; where they are equal a jump to 1 from x >= low on; 0 for NaN.
-// Cost: about 10 instructions.
+// Cost: about 16 instructions.
 float sg_smoothstep(float low, float high, float x) {
     float width = high - low;
     float t = abs(width) > 0.0 ? (x - low) / width : (x >= low ? 1.0 : 0.0);

@@ -1,5 +1,6 @@
 // A place in the space in which a volume bump map is looked up, with its screen derivatives: what a Uv is to textures.
 // Everything here hands the place and its footprint on to noise.glsl and triplanar.glsl.
+// Source: Mikkelsen 2020, section 3.6, Eq 19.
 #ifndef SG_VOLUME
 #define SG_VOLUME
 
@@ -14,7 +15,7 @@ struct SgVolume {
 };
 
 // A lookup at another frequency.
-//   volume: any; frequency: cells or repeats per unit. Result: derivatives scale alike. Cost: 9 instructions.
+//   volume: any; frequency: cells or repeats per unit. Result: derivatives scale alike. Cost: 14 instructions.
 SgVolume sg_volume_scale(SgVolume volume, float frequency) {
     return SgVolume(frequency * volume.p, frequency * volume.dx, frequency * volume.dy);
 }
@@ -23,12 +24,14 @@ SgVolume sg_volume_scale(SgVolume volume, float frequency) {
 //   volume: cells of size 1. Result: as sg_noise_perlin. Cost: about 250 instructions. Source: section 3.6.
 SgNoise sg_volume_perlin(SgVolume volume) { return sg_noise_fractal_sum(volume.p, sg_footprint(volume.dx, volume.dy), 1); }
 
-// A fractal sum. octaves: 0 to 20. Result and cost: as sg_noise_fractal_sum.
+// A fractal sum.
+//   volume: any; octaves: 0 to 20. Result: as sg_noise_fractal_sum. Cost: that, and 12 instructions.
 SgNoise sg_volume_fractal_sum(SgVolume volume, int octaves) {
     return sg_noise_fractal_sum(volume.p, sg_footprint(volume.dx, volume.dy), octaves);
 }
 
-// Turbulence. octaves: 0 to 20. Result and cost: as sg_noise_turbulence.
+// Turbulence.
+//   volume: any; octaves: 0 to 20. Result: as sg_noise_turbulence. Cost: that, and 12 instructions.
 SgNoise sg_volume_turbulence(SgVolume volume, int octaves) {
     return sg_noise_turbulence(volume.p, sg_footprint(volume.dx, volume.dy), octaves);
 }
@@ -38,9 +41,13 @@ SgTriplanarUv sg_volume_triplanar_uv(SgVolume volume, float hand, float origin) 
     return sg_triplanar_uv(volume.p, volume.dx, volume.dy, hand, origin);
 }
 
-// All weight of a triplanar lookup on one plane: planar projection along that axis. Cost: 0.
+// All weight of a triplanar lookup on one plane: planar projection along x. Cost: none.
 vec3 sg_axis_x() { return vec3(1.0, 0.0, 0.0); }
+
+// Planar projection along y. Cost: none.
 vec3 sg_axis_y() { return vec3(0.0, 1.0, 0.0); }
+
+// Planar projection along z. Cost: none.
 vec3 sg_axis_z() { return vec3(0.0, 0.0, 1.0); }
 
 #endif

@@ -6,6 +6,7 @@
 // calls it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -149,6 +150,7 @@ std::optional<std::uint64_t> cost_of(const std::string& file, const std::string&
     for (const auto& [type, name] : signature.parameters) {
         arguments += (arguments.empty() ? "" : ", ") + read_value(type, structs, inputs);
     }
+    inputs = std::max(inputs, 1);  // a function of nothing, or of a texture alone
     const std::string call = fmt::format("    {} result = {}({});\n", signature.result, function, arguments);
     const std::string writes = write_value("result", signature.result, structs, outputs);
     std::string nothing;

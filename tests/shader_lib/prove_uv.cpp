@@ -1,6 +1,7 @@
 // Texture coordinates (shader_lib/surfgrad/uv.glsl) against double precision.
 #include "draws.hpp"
 #include "ir/reference/uv.hpp"
+#include "textures.hpp"
 
 namespace sg::proof {
 namespace {
@@ -33,8 +34,33 @@ double scaled_length(const In& in) {
     return std::max(std::abs(in[6]), std::abs(in[7])) * 3.0 + 2.0;
 }
 
+// Of a texture that is not square; the coordinate and the filter play no part.
+Case texture_size(const char* name, glm::ivec2 size, bool levels) {
+    return {.name = name,
+            .include = kFile,
+            .inputs = 1,
+            .outputs = 2,
+            .glsl = "put(0, f(0) * sg_texture_size(image_0, sampler_0));",
+            .draw = [](Random& random, Draw& in) { in.put(0, random.sign()); },
+            .reference = [size](const In& in, Expect& out) { out.put(0, in[0] * glm::dvec2(size)); },
+            .bound = {},  // small integers
+            .mutants = {{kFile, "textureSize(sampler2D(image, filtering), 0)",
+                         "textureSize(sampler2D(image, filtering), 0).yx"},
+                        {kFile, "textureSize(sampler2D(image, filtering), 0)",
+                         "textureSize(sampler2D(image, filtering), 0) - 1"}},
+            .textures = {random_texture(size, levels, ref::Wrap::repeat)}};
+}
+
+Case texture_size_with_levels() {
+    Case item = texture_size("texture_size_with_levels", {48, 20}, true);
+    item.mutants.push_back({kFile, "filtering), 0)", "filtering), 1)"});
+    return item;
+}
+
 std::vector<Case> cases() {
     return {
+        texture_size("texture_size", {7, 33}, false),
+        texture_size_with_levels(),
         {.name = "uv_scale",
          .include = kFile,
          .inputs = 8,
