@@ -160,6 +160,20 @@ TEST(Gltf, SaysWhatIsDamaged) {
               prefix + "nested deeper than 64 levels");
 }
 
+std::string rendered(const std::string& rest) {
+    Diags diags;
+    EXPECT_FALSE(read(square(), rest, diags));
+    EXPECT_EQ(diags.exit_code(), 1);
+    return render(diags);
+}
+
+TEST(Gltf, WholeMessages) {
+    EXPECT_EQ(rendered(R"("meshes":[{"primitives":[{"attributes":{"POSITION":77}}]}])"),
+              "error: cannot read 'folder/a.gltf' as glTF 2.0: mesh 0, primitive 0: there is no accessor 77 "
+              "[SG2003]\n");
+    EXPECT_EQ(rendered(R"("meshes":[])"), "error: 'folder/a.gltf' draws no triangles [SG2005]\n");
+}
+
 TEST(Gltf, AMissingFileIsNamed) {
     MemoryFiles files;
     Diags diags;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/gpu/device.hpp"
+#include "runtime/gpu/image.hpp"
 
 namespace sg::runtime {
 namespace {
@@ -72,6 +73,40 @@ TEST(Device, TheValidationLayersAreHeard) {
     gpu::OwnedBuffer owned(device->get(), buffer);
     EXPECT_FALSE(device->log()->report(diags));
     EXPECT_NE(render(diags).find("VUID-VkBufferCreateInfo-usage"), std::string::npos) << render(diags);
+    std::string whole;
+    for (const std::string& said : device->log()->messages()) {
+        whole += "error: the Vulkan validation layers say: " + said + " [SG2204]\n";
+    }
+    EXPECT_EQ(render(diags), whole);
+    EXPECT_EQ(diags.exit_code(), 4);
+}
+
+TEST(Device, WhatItCannotHoldIsRefused) {
+    Diags diags;
+    auto device = gpu::Device::create({}, diags);
+    ASSERT_TRUE(device) << render(diags);
+    const std::uint32_t limit = device->limits().maxImageDimension2D;
+    const std::string most = std::to_string(limit), beyond = std::to_string(limit + 1);
+    EXPECT_FALSE(gpu::Image::create_attachment(*device, VK_FORMAT_R8G8B8A8_UNORM, {limit + 1, 1},
+                                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_ASPECT_COLOR_BIT,
+                                               diags));
+    EXPECT_EQ(render(diags), "error: an image of " + beyond + "x1 is beyond the limit of device '" +
+                                 device->name() + "', " + most + "x" + most + " [SG2203]\n");
+    EXPECT_EQ(diags.exit_code(), 4);
+}
+
+TEST(Device, ACallThatFailsIsNamedWithItsResult) {
+    Diags diags;
+    auto device = gpu::Device::create({}, diags);
+    ASSERT_TRUE(device) << render(diags);
+    VkMemoryRequirements needs{};
+    needs.size = VkDeviceSize{1} << 50;  // beyond any heap and any address space of 47 bits
+    needs.alignment = 1;
+    needs.memoryTypeBits = ~0u;
+    EXPECT_FALSE(device->allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, diags));
+    EXPECT_EQ(render(diags),
+              "error: vkAllocateMemory of 1125899906842624 bytes failed with VK_ERROR_OUT_OF_DEVICE_MEMORY "
+              "[SG2203]\n");
     EXPECT_EQ(diags.exit_code(), 4);
 }
 
