@@ -18,9 +18,11 @@ struct Result {
     std::string text;  // stdout and stderr
 };
 
-Result run_in(const std::filesystem::path& folder, const std::string& arguments) {
-    std::string command =
-        "cd '" + folder.string() + "' && '" SG_BINARY_DIR "/surfgrad-render' " + arguments + " 2>&1";
+// `environment`: NAME=VALUE ..., for this run alone.
+Result run_in(const std::filesystem::path& folder, const std::string& arguments,
+              const std::string& environment = "") {
+    std::string command = "cd '" + folder.string() + "' && env " + environment +
+                          " '" SG_BINARY_DIR "/surfgrad-render' " + arguments + " 2>&1";
     Result result;
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return result;
@@ -39,15 +41,18 @@ protected:
         std::filesystem::remove_all(folder_);
         ASSERT_EQ(files_.write_all(test::sample_files(folder_)), "");
     }
-    Result run(const std::string& arguments) { return run_in(folder_, arguments); }
+    Result run(const std::string& arguments, const std::string& environment = "") {
+        return run_in(folder_, arguments, environment);
+    }
     asset::Image read(const std::string& name) {
         Diags diags;
         auto image = asset::read_image(files_.read(folder_ / name).bytes, name, {}, diags);
         EXPECT_TRUE(image) << sg::render(diags);
         return image.value_or(asset::make_image(1, 1, asset::TexelFormat::unorm8));
     }
-    void expect(const std::string& arguments, int code, const std::string& text) {
-        Result result = run(arguments);
+    void expect(const std::string& arguments, int code, const std::string& text,
+                const std::string& environment = "") {
+        Result result = run(arguments, environment);
         EXPECT_EQ(result.text, text);
         EXPECT_EQ(result.exit_code, code);
     }
@@ -154,6 +159,21 @@ TEST_F(Program, UnknownDevicesAreASystemFailure) {
     EXPECT_EQ(result.exit_code, 4);
     EXPECT_EQ(result.text.substr(0, result.text.find('\n')),
               "error: no usable device has 'nothing-like-this' in its name [SG2202]");
+}
+
+TEST_F(Program, AMissingDriverIsASystemFailure) {
+    expect("sample.json -o a.png", 4,
+           "error: no Vulkan driver answers (VK_ERROR_INCOMPATIBLE_DRIVER) [SG2201]\n",
+           "VK_ICD_FILENAMES=/no/such/driver.json VK_DRIVER_FILES=/no/such/driver.json");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+}
+
+TEST_F(Program, AMissingValidationLayerIsASystemFailure) {
+    std::filesystem::create_directory(folder_ / "no-layers");
+    expect("sample.json -o a.png --validate", 4,
+           "error: the validation layer 'VK_LAYER_KHRONOS_validation' is not installed [SG2205]\n",
+           "VK_LAYER_PATH=no-layers");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
 }
 
 }  // namespace
