@@ -35,6 +35,8 @@ std::string values(const Field& field) {
             return fmt::format("one or two numbers, {}, `$parameter`", bounds);
         case FieldKind::color:
             return fmt::format("three numbers, {}, `$parameter`, `@node`, a node", bounds);
+        case FieldKind::vector:
+            return fmt::format("three numbers, {}", bounds);
         case FieldKind::direction:
             return "three numbers, not all 0";
         case FieldKind::range:
@@ -52,6 +54,8 @@ std::string fallback(const Field& field) {
         case FieldKind::direction:
         case FieldKind::range:
             return "";
+        case FieldKind::vector:
+            return fmt::format("{0}, {0}, {0}", field.fallback);
         default:
             return fmt::format("{}", field.fallback);
     }

@@ -47,6 +47,8 @@ Json value_of(const Field& field) {
             return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter reference")}}};
         case FieldKind::color:
             return {{"anyOf", {numbers(3, bounded), reference("parameter reference"), reference("node reference"), reference("node")}}};
+        case FieldKind::vector:
+            return numbers(3, bounded);
         case FieldKind::direction:
             return numbers(3, number(-1e6, 1e6));
         case FieldKind::range:
@@ -62,6 +64,8 @@ Json described(const Field& field) {
     if (field.required || field.kind == FieldKind::texture || field.kind == FieldKind::range || field.kind == FieldKind::direction) return out;
     if (field.kind == FieldKind::choice) {
         out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
+    } else if (field.kind == FieldKind::vector) {
+        out["default"] = {field.fallback, field.fallback, field.fallback};
     } else {
         out["default"] = field.fallback;
     }

@@ -31,6 +31,9 @@ bool is_trivial(const Value& value) {
         case ir::Op::noise_value:
         case ir::Op::triplanar_axis:
         case ir::Op::planar_weights:
+        case ir::Op::decal_uv:
+        case ir::Op::pair_first:
+        case ir::Op::pair_second:
             return true;
         default:
             return false;
@@ -43,6 +46,14 @@ Tightness tightness_of(const Value& value) {
     std::string_view glsl = ir::info(value.op).glsl;
     if (!glsl.starts_with("{0} ")) return Tightness::tight;
     return glsl.starts_with("{0} *") ? Tightness::product : Tightness::sum;
+}
+
+// How often a row's text writes an operand.
+std::uint32_t times_written(std::string_view glsl, std::size_t operand) {
+    std::string place = fmt::format("{{{}}}", operand);
+    std::uint32_t times = 0;
+    for (std::size_t at = glsl.find(place); at != std::string_view::npos; at = glsl.find(place, at + 1)) ++times;
+    return times;
 }
 
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
@@ -70,8 +81,9 @@ void Body::count_uses() {
     uses_.assign(module_.values.size(), 0);
     layer_result_.assign(module_.values.size(), false);
     for (const Value& value : module_.values) {
-        for (ValueId operand : value.operands) {
-            ++uses_[operand.index];
+        for (std::size_t i = 0; i < value.operands.size(); ++i) {
+            ValueId operand = value.operands[i];
+            uses_[operand.index] += times_written(ir::info(value.op).glsl, i);
             const Value& used = module_.at(operand);
             bool leaves_layer = used.layer.valid() && used.layer != value.layer;
             if (leaves_layer && used.type == ir::Type::SurfGrad) layer_result_[operand.index] = true;

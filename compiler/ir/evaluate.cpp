@@ -29,6 +29,9 @@ struct Lister {
     void operator()(const Volume& v) { list(v.p, v.dx, v.dy); }
     void operator()(const ref::TriplanarUv& uv) { list(uv.x, uv.y, uv.z); }
     void operator()(const ref::Noise& n) { list(n.value, n.gradient); }
+    void operator()(const glm::dmat4& m) { list(m[0], m[1], m[2], m[3]); }
+    void operator()(const ref::Decal& d) { list(d.local, d.uv, d.grad_s, d.grad_t); }
+    void operator()(const ref::DerivPair& pair) { list(pair.first, pair.second); }
 
     template <class... Parts>
     void list(const Parts&... parts) {

@@ -189,6 +189,30 @@ Rows lookups_rows() {
     };
 }
 
+// Decals
+Rows decals_rows() {
+    return {
+    Row{Op::projector,
+        [](dvec3 x, dvec3 y, dvec3 z, dvec3 origin) {
+            return glm::dmat4(dvec4(x, 0.0), dvec4(y, 0.0), dvec4(z, 0.0), dvec4(origin, 1.0));
+        }},
+    Row{Op::decal_box, [](const glm::dmat4& m, const Volume& v) { return ref::decal_box(m, v.p, v.dx, v.dy); }},
+    Row{Op::decal_cone, [](const glm::dmat4& m, const Volume& v) { return ref::decal_cone(m, v.p, v.dx, v.dy); }},
+    Row{Op::decal_sphere, [](const glm::dmat4& m, const Volume& v) { return ref::decal_sphere(m, v.p, v.dx, v.dy); }},
+    Row{Op::decal_uv, [](const ref::Decal& d) { return d.uv; }},
+    Row{Op::decal_falloff_box, [](const ref::Decal& d, double edge) { return ref::decal_falloff_box(d.local, edge); }},
+    Row{Op::decal_falloff_cone, [](const ref::Decal& d, double edge) { return ref::decal_falloff_cone(d.local, edge); }},
+    Row{Op::decal_falloff_sphere,
+        [](const ref::Decal& d, double edge) { return ref::decal_falloff_sphere(d.local, edge); }},
+    Row{Op::decal_falloff_capsule,
+        [](const ref::Decal& d, double half, double edge) { return ref::decal_falloff_capsule(d.local, half, edge); }},
+    Row{Op::decal_falloff_wedge,
+        [](const ref::Decal& d, double edge) { return ref::decal_falloff_wedge(d.local, edge); }},
+    Row{Op::decal_angle_fade, ref::decal_angle_fade},
+    Row{Op::decal_gradient, ref::decal_gradient},
+    };
+}
+
 // Derivatives
 Rows gradients_rows() {
     return {
@@ -201,6 +225,13 @@ Rows gradients_rows() {
     Row{Op::deriv_from_normal_xyz, ref::deriv_from_normal_xyz},
     Row{Op::deriv_from_normal_xy, ref::deriv_from_normal_xy},
     Row{Op::deriv_green_up, ref::deriv_green_up},
+    Row{Op::normal_from_deriv, ref::normal_from_deriv},
+    Row{Op::deriv_from_map_normal, ref::deriv_from_normal_xyz},
+    Row{Op::combine_whiteout, ref::combine_whiteout},
+    Row{Op::combine_udn, ref::combine_udn},
+    Row{Op::combine_rnm, ref::combine_rnm},
+    Row{Op::pair_first, [](const ref::DerivPair& pair) { return pair.first; }},
+    Row{Op::pair_second, [](const ref::DerivPair& pair) { return pair.second; }},
     Row{Op::scale_deriv, [](double s, dvec2 d) { return s * d; }},
     Row{Op::add_deriv, [](dvec2 a, dvec2 b) { return a + b; }},
     // volume gradients
@@ -212,6 +243,8 @@ Rows gradients_rows() {
     Row{Op::gradient_from_world, [](dvec3 g) { return g; }},
     Row{Op::scale_volgrad, [](double s, dvec3 g) { return s * g; }},
     Row{Op::add_volgrad, [](dvec3 a, dvec3 b) { return a + b; }},
+    Row{Op::mask_volgrad, ref::combine_mask},
+    Row{Op::mix_volgrad, ref::combine_mix},
     // surface gradients
     Row{Op::surfgrad_from_height,
         [](const Call& c, const ref::Frame& f, const Uv& uv, dvec2 d) { return ref::surfgrad_from_height(f, uv, dvec2(c.texture().texels->size(0)), d); }},
@@ -238,7 +271,7 @@ Rows gradients_rows() {
 const Rows& rows() {
     static const Rows table = [] {
         Rows all;
-        for (Rows part : {inputs_rows(), graph_rows(), frames_rows(), lookups_rows(), gradients_rows()}) {
+        for (Rows part : {inputs_rows(), graph_rows(), frames_rows(), lookups_rows(), decals_rows(), gradients_rows()}) {
             all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
         }
         return all;

@@ -21,6 +21,7 @@ enum class FieldKind {
     number,    // a number, "$parameter", "@node" or a node written in place
     pair,      // a number (for both), two numbers, or "$parameter" of type float or vec2
     color,     // three numbers, "$parameter" of type color or vec3, "@node" or a node
+    vector,    // three numbers
     direction,  // three numbers, not all 0; unit when checked
     range       // two numbers
 };
@@ -29,8 +30,8 @@ struct Field {
     std::string_view name;
     FieldKind kind{};
     bool required = false;
-    double fallback = 0;  // number, pair, color (all alike), integer; of a choice: the index of the default
-    double minimum = 0;   // number, pair, color, integer
+    double fallback = 0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the default
+    double minimum = 0;   // number, pair, color, vector, integer
     double maximum = 0;
     std::vector<std::string_view> choices;
     std::vector<ir::TextureEncoding> encodings;  // texture: what can be read
@@ -56,7 +57,7 @@ struct Coordinate {
 
 // The checked value of a field: which member counts follows from the field's kind.
 struct FieldValue {
-    std::array<double, 3> number{};  // number, pair, color, direction, range; valid when neither of the next two is
+    std::array<double, 3> number{};  // number, pair, color, vector, direction, range; valid when neither of the next two is
     ir::ParameterId parameter;
     NodeId node;
     std::uint32_t index = 0;  // texture: into the module's textures; choice; integer
@@ -73,6 +74,12 @@ struct FieldFault {
 
 class LowerContext;
 
+// A layer's surface gradient at strength 1, unmasked, and where the layer is: 0..1, a factor on its mask.
+struct Covered {
+    ir::ValueId gradient;
+    ir::ValueId coverage;  // invalid: everywhere
+};
+
 struct LayerKind {
     std::string_view name;
     std::string_view doc;
@@ -80,6 +87,8 @@ struct LayerKind {
     std::optional<FieldFault> (*check)(FieldValues values) = nullptr;  // at most one fault; null: none is possible
     // The layer's surface gradient at strength 1, unmasked. Cannot fail.
     ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
+    // In place of `lower`, for kinds that cover a part of the surface.
+    Covered (*lower_covered)(LowerContext& context, FieldValues values) = nullptr;
 };
 
 // What every layer has beside the fields of its kind: strength, mask, blend (layer_kinds.cpp).

@@ -10,10 +10,13 @@ const LayerKind& height_map();
 const LayerKind& triplanar();
 const LayerKind& planar();
 const LayerKind& noise();
+const LayerKind& decal();
+const LayerKind& normal_blend();
 
 std::span<const LayerKind* const> all_kinds() {
     static const LayerKind* const kKinds[] = {
-        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(), &planar(), &noise(),
+        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(), &planar(), &noise(), &decal(),
+        &normal_blend(),
     };
     return kKinds;
 }

@@ -154,6 +154,31 @@ ValueId LowerContext::node(NodeId id, Type wanted) {
     return builder_.add(Op::grey, {value});
 }
 
+MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue& tiling, bool from_vertex) {
+    MapPlace place;
+    if (from_vertex) {
+        place.vertex_basis = basis_vertex();
+    } else {
+        frame();
+    }
+    place.uv = uv(coordinate);
+    auto turn = [&](ValueId scale) {
+        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by themselves.
+        if (from_vertex) place.vertex_basis = builder_.add(Op::basis_mirror, {place.vertex_basis, scale}, "basis");
+    };
+    if (coordinate.scale != std::array{1.0, 1.0}) turn(builder_.constant(Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
+    if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
+        ValueId scale = pair(tiling);
+        place.uv = builder_.add(Op::uv_scale, {place.uv, scale}, "uv");
+        turn(scale);
+    }
+    return place;
+}
+
+ValueId LowerContext::basis_of(const MapPlace& place) {
+    return place.vertex_basis.valid() ? place.vertex_basis : builder_.add(Op::basis_uv, {frame(), place.uv}, "basis");
+}
+
 ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
     using enum ir::TextureEncoding;
     const TextureFacts& f = facts_[texture.index];

@@ -26,6 +26,11 @@ struct NodeInstance {
 
 enum class Space : std::uint32_t { object, world };
 
+// Where a map lies: its coordinate, and the vertex basis turned with it; invalid where tangents come from the coordinate.
+struct MapPlace {
+    ir::ValueId uv, vertex_basis;
+};
+
 class LowerContext {
 public:
     // `facts` has one entry per texture of the module. `mirror`: the base normal turns to the visible side.
@@ -53,6 +58,9 @@ public:
     ir::ValueId number(const FieldValue& value);
     ir::ValueId pair(const FieldValue& value);
     ir::ValueId color(const FieldValue& value);
+    // A map on a uv set, with tiling. The basis comes from `basis_of` the place.
+    MapPlace place_map(const Coordinate& coordinate, const FieldValue& tiling, bool from_vertex);
+    ir::ValueId basis_of(const MapPlace& place);
     // The derivative that a map of tangent normals or derivatives stores at a coordinate, along +s and +t.
     ir::ValueId map_deriv(ir::TextureId texture, ir::ValueId uv);
     [[nodiscard]] const TextureFacts& facts(ir::TextureId texture) const { return facts_[texture.index]; }

@@ -3,6 +3,10 @@
 #include "layers/lower_context.hpp"
 
 namespace sg::layers {
+
+NodeKind decal_mask();
+NodeKind decal_color();
+
 namespace {
 
 using ir::Op;
@@ -235,6 +239,8 @@ std::vector<NodeKind> sources() {
 std::span<const NodeKind> all_node_kinds() {
     static const std::vector<NodeKind> kKinds = [] {
         std::vector<NodeKind> kinds = sources();
+        kinds.push_back(decal_mask());
+        kinds.push_back(decal_color());
         for (NodeKind& kind : arithmetic()) kinds.push_back(std::move(kind));
         return kinds;
     }();

@@ -23,30 +23,13 @@ std::optional<FieldFault> check(FieldValues values) {
 }
 
 ir::ValueId lower(LowerContext& context, FieldValues values) {
-    ir::Builder& builder = context.builder();
-    const FieldValue& tiling = values[kTiling];
-    const Coordinate& coordinate = values[kUv].uv;
-    bool tiled = tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
-    bool from_vertex = values[kBasis].index == kBasisVertex;
     bool scale_dependent = values[kScale].index == kScaleDependent;
-
-    ir::ValueId basis = from_vertex && !scale_dependent ? context.basis_vertex() : ir::ValueId{};
-    ir::ValueId frame = from_vertex && !scale_dependent ? ir::ValueId{} : context.frame();
-    ir::ValueId uv = context.uv(coordinate);
-    auto turn = [&](ir::ValueId scale) {
-        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by themselves.
-        if (basis.valid()) basis = builder.add(ir::Op::basis_mirror, {basis, scale}, "basis");
-    };
-    if (coordinate.scale != std::array{1.0, 1.0}) turn(builder.constant(ir::Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
-    if (tiled) {
-        ir::ValueId scale = context.pair(tiling);
-        uv = builder.add(ir::Op::uv_scale, {uv, scale}, "uv");
-        turn(scale);
-    }
-    ir::ValueId deriv = context.map_deriv({values[kTexture].index}, uv);
-    if (scale_dependent) return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index, {frame, uv, deriv});
-    if (!from_vertex) basis = builder.add(ir::Op::basis_uv, {frame, uv}, "basis");
-    return builder.add(ir::Op::surfgrad_from_tbn, {deriv, basis});
+    bool from_vertex = values[kBasis].index == kBasisVertex && !scale_dependent;
+    MapPlace place = context.place_map(values[kUv].uv, values[kTiling], from_vertex);
+    ir::ValueId deriv = context.map_deriv({values[kTexture].index}, place.uv);
+    ir::Builder& builder = context.builder();
+    if (!scale_dependent) return builder.add(ir::Op::surfgrad_from_tbn, {deriv, context.basis_of(place)});
+    return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index, {context.frame(), place.uv, deriv});
 }
 
 std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::string_view texture_doc) {

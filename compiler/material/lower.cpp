@@ -51,35 +51,43 @@ private:
     ValueId sum(const std::vector<CheckedLayer>& layers) {
         ValueId total;
         for (const CheckedLayer& layer : layers) {
-            ValueId g = scaled(layer);
-            bool mixes = layer.common[layers::kBlend].index == layers::kBlendMix;
-            const layers::FieldValue& mask = layer.common[layers::kMask];
-            if (mixes) {
+            auto [g, coverage] = scaled(layer);
+            ValueId share = share_of(layer, coverage);
+            if (layer.common[layers::kBlend].index == layers::kBlendMix) {
                 if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
-                total = builder_.add(Op::mix_surfgrad, {total, g, context_.number(mask)});
+                total = builder_.add(Op::mix_surfgrad, {total, g, share.valid() ? share : context_.constant(1)});
                 continue;
             }
-            if (mask.given) g = builder_.add(Op::mask_surfgrad, {g, context_.number(mask)});
+            if (share.valid()) g = builder_.add(Op::mask_surfgrad, {g, share});
             total = total.valid() ? builder_.add(Op::add_surfgrad, {total, g}) : g;
         }
         return total.valid() ? total : builder_.add(Op::zero_surfgrad);
     }
 
-    // A layer's gradient times its strength.
-    ValueId scaled(const CheckedLayer& layer) {
-        ValueId g;
+    // How much of a layer shows: its mask times what it covers by itself; invalid where it shows wholly.
+    ValueId share_of(const CheckedLayer& layer, ValueId coverage) {
+        const layers::FieldValue& mask = layer.common[layers::kMask];
+        if (!mask.given) return coverage;
+        ValueId share = context_.number(mask);
+        return coverage.valid() ? builder_.add(Op::multiply, {share, coverage}) : share;
+    }
+
+    // A layer's gradient times its strength, and what it covers.
+    layers::Covered scaled(const CheckedLayer& layer) {
+        layers::Covered made;
         if (layer.kind) {
             ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
             module_.layers.push_back({layer.id, std::string(layer.kind->name)});
             context_.set_layer(id);
-            g = layer.kind->lower(context_, layer.values);
+            const layers::LayerKind& kind = *layer.kind;
+            made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}} : kind.lower_covered(context_, layer.values);
         } else {
-            g = sum(layer.group);
+            made.gradient = sum(layer.group);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];
-        if (strength.given) g = builder_.add(Op::scale_surfgrad, {context_.number(strength), g});
+        if (strength.given) made.gradient = builder_.add(Op::scale_surfgrad, {context_.number(strength), made.gradient});
         context_.set_layer({});
-        return g;
+        return made;
     }
 
     void surface(ValueId normal) {

@@ -91,6 +91,8 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
             return take(expression(reader, row.name, 3, range, false, true), entry.expression);
         case FieldKind::range:
             return take(reader.numbers(row.name, 2, range, false, ""), entry.expression.numbers);
+        case FieldKind::vector:
+            return take(reader.numbers(row.name, 3, range, false, ""), entry.expression.numbers);
         case FieldKind::direction:
             break;
     }

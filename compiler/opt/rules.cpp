@@ -123,6 +123,21 @@ ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
     return t && t->number[0] >= 1 ? value.operands[1] : ValueId{};
 }
 
+ValueId mask_before_projection(Rewriter& rewriter, const Value& value) {
+    const Value projected = rewriter.at(value.operands[0]);
+    if (projected.op != Op::surfgrad_from_volume) return {};
+    ValueId masked = rewriter.add(Op::mask_volgrad, {projected.operands[1], value.operands[1]}, unnamed(projected));
+    return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], masked}, projected);
+}
+
+ValueId mix_before_projection(Rewriter& rewriter, const Value& value) {
+    Projected from = projected(rewriter, value.operands[0]), to = projected(rewriter, value.operands[1]);
+    if (from.op != Op::surfgrad_from_volume || !from.shares(to)) return {};
+    Value like = unnamed(value);
+    ValueId mixed = rewriter.add(Op::mix_volgrad, {from.linear, to.linear, value.operands[2]}, like);
+    return rewriter.add(Op::surfgrad_from_volume, {from.onto, mixed}, like);
+}
+
 // ---- numbers ----
 
 double folded(Op op, double a, double b, double c) {
@@ -186,6 +201,9 @@ std::span<const Rule> all_rules() {
          {add_surfgrad}, one_projection},
         {"trivial_mask", "a mask of 1 shows all, a mask of 0 nothing", {mask_surfgrad}, trivial_mask},
         {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
+        {"mask_before_projection", "a mask is a factor and projection is linear: volume bumps under masks can be added to others",
+         {mask_surfgrad}, mask_before_projection},
+        {"mix_before_projection", "projection is linear: a mix of two volume bumps is projected once", {mix_surfgrad}, mix_before_projection},
         {"fold_numbers", "what is known now need not be computed for every pixel",
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix}, fold_numbers},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},

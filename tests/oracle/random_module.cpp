@@ -13,7 +13,7 @@ using ir::Op;
 using ir::Type;
 using ir::ValueId;
 
-constexpr std::size_t kValues = 120, kMaxDepth = 3;
+constexpr std::size_t kValues = 180, kMaxDepth = 3;
 constexpr std::uint32_t kTextures = 2, kSets = 3;
 
 class Generator {

@@ -33,17 +33,17 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
 
     // rain: planar
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_gradient);
+    vec3 m_rain_mask_volgrad = sg_combine_mask(m_rain_gradient, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
+    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_mask_volgrad);
 
-    vec3 m_mask_surfgrad = sg_combine_mask(m_rain, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_mask_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_mask_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_rain);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_rain));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_world.p);  // world-position
     sg_shown = sg_stage_select(sg_shown, 7.0, m_world.dx);  // world-position-dx
     sg_shown = sg_stage_select(sg_shown, 8.0, m_world.dy);  // world-position-dy

@@ -30,12 +30,12 @@ void main() {
     vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv_2, m_rain_deriv_2, m_rain_deriv_2, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
 
     // rain: planar
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_gradient);
+    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(m_rain_gradient, m_top));
 
-    float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
     SgSurface sg_surface = SgSurface(mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, sg_combine_mask(m_rain, m_top)));
+    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_rain));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

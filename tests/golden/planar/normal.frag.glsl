@@ -30,8 +30,8 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
 
     // rain: planar
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_gradient);
+    vec3 m_rain_mask_volgrad = sg_combine_mask(m_rain_gradient, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
+    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_mask_volgrad);
 
-    vec3 m_normal = sg_resolve(m_base_normal, sg_combine_mask(m_rain, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)))));
-    sg_out_normal = vec4(m_normal, 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rain), 1.0);
 }

@@ -58,6 +58,18 @@ TEST(Opt, EachRuleBeforeAndAfter) {
          "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = zero_surfgrad : SurfGrad\n"
          "%11 = mix_surfgrad %10 %9 %8 : SurfGrad\noutput gradient = %11\n",
          "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+        {"mask_before_projection",
+         "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = noise_gradient %10 %9 : LocalGrad\n"
+         "%12 = gradient_from_world %11 : VolGrad\n%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
+         "%14 = mask_surfgrad %13 %10 : SurfGrad\n%15 = add_surfgrad %13 %14 : SurfGrad\noutput gradient = %15\n",
+         "%7 = mask_volgrad %6 %4 : VolGrad\n%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\n"
+         "output gradient = %9\n"},
+        {"mix_before_projection",
+         "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : Scalar\n"
+         "%12 = noise_gradient %10 %9 : LocalGrad\n%13 = gradient_from_world %12 : VolGrad\n%14 = noise_gradient %11 %9 : LocalGrad\n"
+         "%15 = gradient_from_world %14 : VolGrad\n%16 = surfgrad_from_volume %1 %13 : SurfGrad\n"
+         "%17 = surfgrad_from_volume %1 %15 : SurfGrad\n%18 = mix_surfgrad %16 %17 %10 : SurfGrad\noutput gradient = %18\n",
+         "%10 = mix_volgrad %7 %9 %4 : VolGrad\n%11 = surfgrad_from_volume %1 %10 : SurfGrad\noutput gradient = %11\n"},
         {"fold_numbers",
          "%8 = constant 2 : Scalar\n%9 = constant 3 : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = subtract %10 %8 : Scalar\n"
          "output metallic = %11\n",
