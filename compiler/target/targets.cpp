@@ -5,10 +5,15 @@
 namespace sg::target {
 namespace {
 
+// The screen's y points up in GL: towards the other neighbour. A macro is not expanded within itself.
+#define SG_DOWNWARD(NAME) "#define " NAME "(P) (-" NAME "(P))\n"
+#define SG_DOWNWARD_DERIVATIVES SG_DOWNWARD("dFdy") SG_DOWNWARD("dFdyFine") SG_DOWNWARD("dFdyCoarse")
+
 // ESSL has no fine and no coarse derivatives: its dFdx may be either, as the driver likes.
-#define SG_PLAIN_DERIVATIVES                                                                     \
-    "#define dFdxFine dFdx\n#define dFdyFine dFdy\n#define fwidthFine fwidth\n"                   \
-    "#define dFdxCoarse dFdx\n#define dFdyCoarse dFdy\n#define fwidthCoarse fwidth\n"
+#define SG_PLAIN_DERIVATIVES                                                        \
+    "#define dFdxFine dFdx\n#define dFdyFine dFdy\n#define fwidthFine fwidth\n"       \
+    "#define dFdxCoarse dFdx\n#define dFdyCoarse dFdy\n#define fwidthCoarse fwidth\n" \
+    SG_DOWNWARD("dFdy")
 
 // A gather of red is four reads of level 0 at the centres of the texels around P, lower left counter-clockwise.
 #define SG_GATHER_AS_READS                                                                                       \
@@ -23,7 +28,7 @@ constexpr Target kTargets[] = {
     {"hlsl60", "hlsl", "hlsl", Language::hlsl, 60, "", "HLSL, shader model 6.0 (Direct3D 12)"},
     {"msl21", "msl", "metal", Language::msl, 20100, "", "Metal 2.1"},
     {"msl23", "msl", "metal", Language::msl, 20300, "", "Metal 2.3"},
-    {"glsl450", "glsl", "glsl", Language::glsl, 450, "", "GLSL 4.50 for OpenGL"},
+    {"glsl450", "glsl", "glsl", Language::glsl, 450, SG_DOWNWARD_DERIVATIVES, "GLSL 4.50 for OpenGL"},
     {"essl300", "essl", "glsl", Language::essl, 300, SG_PLAIN_DERIVATIVES SG_GATHER_AS_READS, "ESSL 3.00 (OpenGL ES 3.0, WebGL 2)"},
     {"essl310", "essl", "glsl", Language::essl, 310, SG_PLAIN_DERIVATIVES, "ESSL 3.10 (OpenGL ES 3.1)"},
 };

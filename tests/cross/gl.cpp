@@ -144,13 +144,7 @@ void upload(const TextureView& view) {
                          GL_UNSIGNED_BYTE, image.bytes.data());
             continue;
         }
-        std::vector<float> values;
-        for (std::uint32_t y = 0; y < image.height; ++y) {
-            for (std::uint32_t x = 0; x < image.width; ++x) {
-                for (int c = 0; c < 4; ++c) values.push_back(static_cast<float>(image.at(x, y, c)));
-            }
-        }
-        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, values.data());
+        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels_of(image).data());
     }
 }
 

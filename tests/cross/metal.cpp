@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -43,21 +42,6 @@ struct Plan {
     std::size_t vertex = 0, fragment = 0;
 };
 
-std::vector<float> base_texels(const TextureView& view) {
-    const asset::Image& image = view.chain->front();
-    std::vector<float> out;
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            for (int c = 0; c < 4; ++c) {
-                double value = image.at(x, y, c);
-                if (view.srgb && c < 3) value = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-                out.push_back(static_cast<float>(value));
-            }
-        }
-    }
-    return out;
-}
-
 // What the manifest says is bound where, for one stage. `texels` keeps the textures' bytes alive.
 SgBindings bind(const Drawing& drawing, const Stage& stage, std::vector<std::vector<float>>& texels) {
     SgBindings out{};
@@ -65,7 +49,7 @@ SgBindings bind(const Drawing& drawing, const Stage& stage, std::vector<std::vec
         if (slot.kind == "uniform_buffer") out.buffers[slot.index] = drawing.blocks[slot.set].data();
         if (slot.kind == "texture") {
             const TextureView& view = drawing.textures.at(slot.binding);
-            texels.push_back(base_texels(view));
+            texels.push_back(linear_texels(view));
             out.textures[slot.index] = {texels.back().data(), static_cast<int>(view.chain->front().width), static_cast<int>(view.chain->front().height)};
         }
         if (slot.kind == "sampler") {
@@ -96,16 +80,6 @@ Function function_of(void* library, std::size_t text) {
 }  // namespace
 
 std::string metal_missing() { return has_program("clang++") ? "" : "no clang++"; }
-
-const Sample& base_sample(const Sample& sample) {
-    static std::map<std::string, Sample> samples;
-    auto [at, fresh] = samples.try_emplace(sample.name, sample);
-    if (fresh) {
-        at->second.name += " (level 0)";
-        for (auto& chain : at->second.textures.chains) chain.resize(1);
-    }
-    return at->second;
-}
 
 std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
     Texts texts;

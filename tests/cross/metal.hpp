@@ -12,9 +12,6 @@ std::string metal_missing();
 // a texture alone, so the picture to compare with is that of base_sample().
 std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings);
 
-// The sample with level 0 of each texture alone.
-const Sample& base_sample(const Sample& sample);
-
 // "" or clang's words, by text; all in one run of clang.
 std::vector<std::string> metal_refusals(const std::vector<std::string>& texts);
 

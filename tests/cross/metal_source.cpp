@@ -10,7 +10,7 @@ namespace {
 
 // SPIRV-Cross overloads its array's operators by address space, which C++ does not have: one of them stays.
 std::string without_address_spaces(const std::string& text) {
-    static const std::regex kOverload("\\n[^\\n]*operator \\[\\][^\\n]*\\) (const )?(device|constant|threadgroup)\\s*\\{?[^\\n]*(\\n\\s*\\{[^}]*\\})?");
+    static const std::regex kOverload("\\n *(constexpr const )?(device|constant|threadgroup) T& operator \\[\\][^}]*\\}");
     return std::regex_replace(text, kOverload, "");
 }
 

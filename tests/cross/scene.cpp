@@ -23,17 +23,26 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& what, const Diags& diags) { throw std::runtime_error(what + ":\n" + render(diags)); }
 
-// llvmpipe draws both for Vulkan and for GL. Its short cuts (8-bit filtering, one level of detail per four pixels,
-// approximate logarithms) are switched off, so that what differs is the text alone. Read when a driver starts.
-const int kDriver = ::setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod,no_rho_approx,no_brilinear", 1);
+constexpr const char* kSwiftShader = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
-runtime::gpu::Device& device() {
-    static runtime::gpu::Device instance = [] {
-        Diags diags;
-        auto made = runtime::gpu::Device::create({"", true}, diags);
-        if (!made || kDriver != 0) fail("no device", diags);
-        return std::move(*made);
-    }();
+// llvmpipe draws both for Vulkan and for GL. Its short cuts (8-bit filtering, one level of detail per four pixels,
+// approximate logarithms) are switched off, so that what differs is the text alone. WebGPU runs on SwiftShader, which is
+// a Vulkan driver too. Drivers and their loader read these when they start.
+bool prepare_drivers() {
+    const char* listed = std::getenv("VK_ICD_FILENAMES");
+    ::setenv(listed ? "VK_ICD_FILENAMES" : "VK_ADD_DRIVER_FILES", ((listed ? listed + std::string(":") : "") + kSwiftShader).c_str(), 1);
+    return ::setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod,no_rho_approx,no_brilinear", 1) == 0;
+}
+const bool kReady = prepare_drivers();
+
+runtime::gpu::Device make_device(const char* name, bool validate) {
+    Diags diags;
+    auto made = runtime::gpu::Device::create({name, validate}, diags);
+    if (!made || !kReady) fail("no device", diags);
+    return std::move(*made);
+}
+runtime::gpu::Device& llvmpipe() {
+    static runtime::gpu::Device instance = make_device("llvmpipe", true);
     return instance;
 }
 
@@ -62,7 +71,7 @@ Slot read_slot(const nlohmann::json& row) {
         out.index = static_cast<std::uint32_t>(std::stoul(row["register"].get<std::string>().substr(1)));
         out.space = row.at("space");
     } else {
-        out.index = row.contains("unit") ? row["unit"] : row.at("index");
+        out.index = row.contains("unit") ? row["unit"].get<std::uint32_t>() : row.value("index", out.binding);
     }
     out.sampler_binding = row.value("sampler_binding", 0u);
     return out;
@@ -135,12 +144,26 @@ const Sample& sample(const std::string& name) {
     return it == samples.end() ? samples.emplace(name, make_sample(name, "", kLibrary)).first->second : it->second;
 }
 
+const Sample& base_sample(const Sample& sample) {
+    static std::map<std::string, Sample> samples;
+    auto [at, fresh] = samples.try_emplace(sample.name, sample);
+    if (fresh) {
+        at->second.name += " (level 0)";
+        for (auto& chain : at->second.textures.chains) chain.resize(1);
+    }
+    return at->second;
+}
+
 Drawing drawing(const Sample& sample, const target::Target& target) {
     const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
     Drawing out{.sample = sample.name, .target = &target};
     const nlohmann::json manifest = nlohmann::json::parse(sample.manifest);
     for (const auto& row : manifest.at("entry_points")) {
         if (row.at("name") != "normal") continue;
+        if (target.language == target::Language::spirv) {
+            for (const auto& slot : row.at("bindings")) out.fragment.slots.push_back(read_slot(slot));
+            continue;
+        }
         out.vertex = read_stage(sample, row.at("stages").at(0), target);
         out.fragment = read_stage(sample, row.at("stages").at(1), target);
     }
@@ -166,7 +189,7 @@ Drawing drawing(const Sample& sample, const target::Target& target) {
     return out;
 }
 
-Pixels render_words(const Sample& sample, const ShaderWords& words) {
+Pixels render_words(const Sample& sample, const ShaderWords& words, Driver driver) {
     runtime::Artefact artefact = sample.artefact;
     for (runtime::EntryPoint& entry : artefact.entries) {
         if (entry.name != "normal") continue;
@@ -176,22 +199,50 @@ Pixels render_words(const Sample& sample, const ShaderWords& words) {
     Diags diags;
     auto view = runtime::find_view(artefact, "normal", diags);
     runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
-    auto picture = runtime::render(device(), artefact, sample.textures, scene(), *view, options, diags);
+    auto draw = [&](runtime::gpu::Device& device) { return runtime::render(device, artefact, sample.textures, scene(), *view, options, diags); };
+    std::optional<runtime::Picture> picture;
+    if (driver == Driver::llvmpipe) {
+        picture = draw(llvmpipe());
+    } else {
+        runtime::gpu::Device swiftshader = make_device("SwiftShader", false);  // ends here: it does not survive the end of the process
+        picture = draw(swiftshader);
+    }
     if (!picture) fail(sample.name, diags);
     Pixels out(std::size_t{kSide} * kSide * 4);
     std::memcpy(out.data(), picture->values.bytes.data(), out.size() * sizeof(float));
     return out;
 }
 
-const Pixels& reference(const Sample& sample) {
-    static std::map<std::string, Pixels> pictures;
-    auto [at, fresh] = pictures.try_emplace(sample.name);
+const Pixels& reference(const Sample& sample, Driver driver) {
+    static std::map<std::pair<std::string, Driver>, Pixels> pictures;
+    auto [at, fresh] = pictures.try_emplace({sample.name, driver});
     const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
-    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words});
+    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words}, driver);
     return at->second;
 }
 
-std::vector<std::string> validation_messages() { return device().log()->messages(); }
+std::vector<std::string> validation_messages() { return llvmpipe().log()->messages(); }
+
+bool has_swiftshader() { return fs::exists(kSwiftShader); }
+
+std::vector<float> texels_of(const asset::Image& image) {
+    std::vector<float> out;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            for (int c = 0; c < 4; ++c) out.push_back(static_cast<float>(image.at(x, y, c)));
+        }
+    }
+    return out;
+}
+
+std::vector<float> linear_texels(const TextureView& view) {
+    std::vector<float> out = texels_of(view.chain->front());
+    for (std::size_t i = 0; view.srgb && i < out.size(); ++i) {
+        const double v = double{out[i]};
+        if (i % 4 != 3) out[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+    }
+    return out;
+}
 
 Difference compare(const Pixels& a, const Pixels& b) {
     Difference out;

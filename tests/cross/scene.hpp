@@ -40,7 +40,8 @@ struct TextureView {
     bool srgb = false;
 };
 
-// The entry point `normal` of one sample in one target.
+// The entry point `normal` of one sample in one target; in a target of language spirv without texts, and with all slots
+// in `fragment`.
 struct Drawing {
     std::string sample;
     const target::Target* target = nullptr;
@@ -66,14 +67,23 @@ std::vector<std::string> sample_names();
 const Sample& sample(const std::string& name);  // compiled once
 // With another shader library; `suffix` tells it from the plain one.
 Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library);
+// The sample with level 0 of each texture alone.
+const Sample& base_sample(const Sample& sample);
 Drawing drawing(const Sample& sample, const target::Target& target);
 
 // The SPIR-V render, or that of other shaders in its place. `words`: vertex and fragment.
 using ShaderWords = std::array<std::vector<std::uint32_t>, 2>;
-const Pixels& reference(const Sample& sample);
-Pixels render_words(const Sample& sample, const ShaderWords& words);
-// What the validation layers said to all of these.
+enum class Driver { llvmpipe, swiftshader };
+const Pixels& reference(const Sample& sample, Driver driver = Driver::llvmpipe);
+Pixels render_words(const Sample& sample, const ShaderWords& words, Driver driver = Driver::llvmpipe);
+bool has_swiftshader();  // Chromium's, for Vulkan
+// What the validation layers said to all that llvmpipe drew.
 std::vector<std::string> validation_messages();
+
+// A picture as rgba floats.
+std::vector<float> texels_of(const asset::Image& image);
+// Level 0 of a texture as a shader reads it: sRGB decoded.
+std::vector<float> linear_texels(const TextureView& view);
 
 struct Difference {
     double largest = 0;            // of any channel of any pixel that both cover

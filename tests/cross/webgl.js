@@ -2,16 +2,6 @@
 // where it refuses a shader, else base64 of rows of rgba floats, upper row first.
 'use strict';
 
-function bytesOf(base64) {
-  return Uint8Array.from(atob(base64), c => c.charCodeAt(0));
-}
-
-function base64Of(bytes) {
-  let text = '';
-  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode.apply(null, bytes.subarray(i, i + 0x8000));
-  return btoa(text);
-}
-
 function makeProgram(gl, drawing) {
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, drawing.vertex], [gl.FRAGMENT_SHADER, drawing.fragment]]) {

@@ -38,44 +38,44 @@ uniform highp sampler2D t_pebble;
 uniform highp sampler2D t_weave;
 uniform highp sampler2D t_scratch;
 
-in vec2 sg_varying_uv0;
 in vec3 sg_varying_normal;
 in vec4 sg_varying_tangent;
+in vec2 sg_varying_uv0;
 in vec3 sg_varying_position;
 in vec2 sg_varying_uv1;
 layout(location = 0) out vec4 sg_out_normal;
 
-SgUv sg_stage_uv(vec2 st)
-{
-    return SgUv(st, dFdx(st), dFdy(st));
-}
-
 SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent)
 {
     float square = dot(vertex_normal, vertex_normal);
-    float _382;
+    float _384;
     if ((square > 1.0000000031710768509710513471353e-30) && (square < 1000000015047466219876688855040.0))
     {
-        _382 = inversesqrt(square);
+        _384 = inversesqrt(square);
     }
     else
     {
-        _382 = 0.0;
+        _384 = 0.0;
     }
-    float scale = _382;
+    float scale = _384;
     float sign_w = (vertex_tangent.w < 0.0) ? (-1.0) : 1.0;
     vec3 tangent = vertex_tangent.xyz * scale;
     vec3 bitangent = cross(vertex_normal, vertex_tangent.xyz) * (sign_w * scale);
-    SgBasis _411;
+    SgBasis _413;
     if (scale > 0.0)
     {
-        _411 = SgBasis(tangent, bitangent);
+        _413 = SgBasis(tangent, bitangent);
     }
     else
     {
-        _411 = SgBasis(vec3(0.0), vec3(0.0));
+        _413 = SgBasis(vec3(0.0), vec3(0.0));
     }
-    return _411;
+    return _413;
+}
+
+SgUv sg_stage_uv(vec2 st)
+{
+    return SgUv(st, dFdx(st), -dFdy(st));
 }
 
 vec4 sg_sample(SgUv uv, highp sampler2D image)
@@ -92,16 +92,16 @@ vec2 sg_deriv_from_normal_xyz(vec3 m)
 {
     vec3 magnitude = abs(m);
     float z = max(magnitude.z, max(magnitude.x, magnitude.y) / 128.0);
-    vec2 _281;
+    vec2 _283;
     if (z > 0.0)
     {
-        _281 = (-m.xy) / vec2(z);
+        _283 = (-m.xy) / vec2(z);
     }
     else
     {
-        _281 = vec2(0.0);
+        _283 = vec2(0.0);
     }
-    return _281;
+    return _283;
 }
 
 vec2 sg_deriv_green_up(vec2 d)
@@ -159,7 +159,7 @@ SgFrame sg_stage_frame(vec3 position, vec3 n)
 {
     vec3 param = position;
     vec3 param_1 = dFdx(position);
-    vec3 param_2 = dFdy(position);
+    vec3 param_2 = -dFdy(position);
     vec3 param_3 = n;
     return sg_frame(param, param_1, param_2, param_3);
 }
@@ -176,26 +176,26 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv)
     vec3 along_s = ((frame.sigma_x * uv.dy.y) - (frame.sigma_y * uv.dx.y)) * sign_det;
     float square = dot(along_s, along_s);
     bool usable = ((abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)))) && (square > 1.0000000359391298238442905219083e-36)) && (square < 1000000015047466219876688855040.0);
-    vec3 _486;
+    vec3 _488;
     if (usable)
     {
-        _486 = along_s * inversesqrt(square);
+        _488 = along_s * inversesqrt(square);
     }
     else
     {
-        _486 = vec3(0.0);
+        _488 = vec3(0.0);
     }
-    vec3 tangent = _486;
-    vec3 _497;
+    vec3 tangent = _488;
+    vec3 _499;
     if (usable)
     {
-        _497 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _499 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
     }
     else
     {
-        _497 = vec3(0.0);
+        _499 = vec3(0.0);
     }
-    vec3 bitangent = _497;
+    vec3 bitangent = _499;
     return SgBasis(tangent, bitangent);
 }
 
@@ -211,25 +211,25 @@ vec2 sg_deriv_from_normal_xy(vec2 m)
 
 SgBasis sg_basis_mirror(SgBasis basis, vec2 scale)
 {
-    vec3 _520;
+    vec3 _522;
     if (scale.x < 0.0)
     {
-        _520 = -basis.tangent;
+        _522 = -basis.tangent;
     }
     else
     {
-        _520 = basis.tangent;
+        _522 = basis.tangent;
     }
-    vec3 _533;
+    vec3 _535;
     if (scale.y < 0.0)
     {
-        _533 = -basis.bitangent;
+        _535 = -basis.bitangent;
     }
     else
     {
-        _533 = basis.bitangent;
+        _535 = basis.bitangent;
     }
-    return SgBasis(_520, _533);
+    return SgBasis(_522, _535);
 }
 
 vec3 sg_resolve(vec3 n, vec3 g)
@@ -237,25 +237,25 @@ vec3 sg_resolve(vec3 n, vec3 g)
     float scale = 1.0 / max(1.0, max(max(abs(g.x), abs(g.y)), abs(g.z)));
     vec3 bumped = (n * scale) - (g * scale);
     float square = dot(bumped, bumped);
-    vec3 _347;
+    vec3 _349;
     if ((square > 1.0000000031710768509710513471353e-30) && (square < 16.0))
     {
-        _347 = bumped * inversesqrt(square);
+        _349 = bumped * inversesqrt(square);
     }
     else
     {
-        _347 = n;
+        _349 = n;
     }
-    return _347;
+    return _349;
 }
 
 void main()
 {
-    vec2 param = sg_varying_uv0;
-    SgUv m_uv0 = sg_stage_uv(param);
-    vec3 param_1 = sg_varying_normal;
-    vec4 param_2 = sg_varying_tangent;
-    SgBasis m_basis_vertex = sg_basis_vertex(param_1, param_2);
+    vec3 param = sg_varying_normal;
+    vec4 param_1 = sg_varying_tangent;
+    SgBasis m_basis_vertex = sg_basis_vertex(param, param_1);
+    vec2 param_2 = sg_varying_uv0;
+    SgUv m_uv0 = sg_stage_uv(param_2);
     SgUv param_3 = m_uv0;
     vec3 param_4 = sg_sample(param_3, t_ramp).xyz;
     float param_5 = 127.5;
@@ -293,10 +293,10 @@ void main()
     vec3 param_30 = sg_sample(param_29, t_weave).xyz;
     float param_31 = 128.0;
     vec3 param_32 = sg_decode_signed(param_30, param_31);
-    vec2 m_grain_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625);
+    vec2 m_grain_scale_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625);
     SgFrame param_33 = m_frame;
     SgUv param_34 = m_grain_uv;
-    vec2 param_35 = m_grain_deriv;
+    vec2 param_35 = m_grain_scale_deriv;
     SgBasis param_36 = sg_basis_uv(param_33, param_34);
     vec3 m_grain = sg_surfgrad_from_tbn(param_35, param_36);
     SgUv param_37 = m_uv0;

@@ -39,9 +39,9 @@ Texture2D<float4> t_scratch : register(t4, space1);
 SamplerState s_1 : register(s6, space1);
 
 static bool gl_FrontFacing;
-static float2 sg_in_uv0;
 static float3 sg_in_normal;
 static float4 sg_in_tangent;
+static float2 sg_in_uv0;
 static float3 sg_in_position;
 static float2 sg_in_uv1;
 static float4 sg_out_normal;
@@ -60,12 +60,6 @@ struct SPIRV_Cross_Output
 {
     float4 sg_out_normal : SV_Target0;
 };
-
-SgUv sg_stage_uv(float2 st)
-{
-    SgUv _206 = { st, ddx_fine(st), ddy_fine(st) };
-    return _206;
-}
 
 SgBasis sg_basis_vertex(float3 vertex_normal, float4 vertex_tangent)
 {
@@ -94,6 +88,12 @@ SgBasis sg_basis_vertex(float3 vertex_normal, float4 vertex_tangent)
         _411 = _419;
     }
     return _411;
+}
+
+SgUv sg_stage_uv(float2 st)
+{
+    SgUv _206 = { st, ddx_fine(st), ddy_fine(st) };
+    return _206;
 }
 
 float4 sg_sample(Texture2D<float4> image, SamplerState filtering, SgUv uv)
@@ -273,11 +273,11 @@ float3 sg_resolve(float3 n, float3 g)
 
 void frag_main()
 {
-    float2 param = sg_in_uv0;
-    SgUv m_uv0 = sg_stage_uv(param);
-    float3 param_1 = sg_in_normal;
-    float4 param_2 = sg_in_tangent;
-    SgBasis m_basis_vertex = sg_basis_vertex(param_1, param_2);
+    float3 param = sg_in_normal;
+    float4 param_1 = sg_in_tangent;
+    SgBasis m_basis_vertex = sg_basis_vertex(param, param_1);
+    float2 param_2 = sg_in_uv0;
+    SgUv m_uv0 = sg_stage_uv(param_2);
     SgUv param_3 = m_uv0;
     float3 param_4 = sg_sample(t_ramp, s_0, param_3).xyz;
     float param_5 = 127.5f;
@@ -315,10 +315,10 @@ void frag_main()
     float3 param_30 = sg_sample(t_weave, s_0, param_29).xyz;
     float param_31 = 128.0f;
     float3 param_32 = sg_decode_signed(param_30, param_31);
-    float2 m_grain_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625f);
+    float2 m_grain_scale_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625f);
     SgFrame param_33 = m_frame;
     SgUv param_34 = m_grain_uv;
-    float2 param_35 = m_grain_deriv;
+    float2 param_35 = m_grain_scale_deriv;
     SgBasis param_36 = sg_basis_uv(param_33, param_34);
     float3 m_grain = sg_surfgrad_from_tbn(param_35, param_36);
     SgUv param_37 = m_uv0;
@@ -341,9 +341,9 @@ void frag_main()
 SPIRV_Cross_Output main(SPIRV_Cross_Input stage_input)
 {
     gl_FrontFacing = stage_input.gl_FrontFacing;
-    sg_in_uv0 = stage_input.sg_in_uv0;
     sg_in_normal = stage_input.sg_in_normal;
     sg_in_tangent = stage_input.sg_in_tangent;
+    sg_in_uv0 = stage_input.sg_in_uv0;
     sg_in_position = stage_input.sg_in_position;
     sg_in_uv1 = stage_input.sg_in_uv1;
     frag_main();

@@ -51,12 +51,6 @@ struct main0_in
 };
 
 static inline __attribute__((always_inline))
-SgUv sg_stage_uv(thread const float2& st)
-{
-    return SgUv{ st, dfdx(st), dfdy(st) };
-}
-
-static inline __attribute__((always_inline))
 SgBasis sg_basis_vertex(thread const float3& vertex_normal, thread const float4& vertex_tangent)
 {
     float square = dot(vertex_normal, vertex_normal);
@@ -83,6 +77,12 @@ SgBasis sg_basis_vertex(thread const float3& vertex_normal, thread const float4&
         _411 = SgBasis{ float3(0.0), float3(0.0) };
     }
     return _411;
+}
+
+static inline __attribute__((always_inline))
+SgUv sg_stage_uv(thread const float2& st)
+{
+    return SgUv{ st, dfdx(st), dfdy(st) };
 }
 
 static inline __attribute__((always_inline))
@@ -276,11 +276,11 @@ float3 sg_resolve(thread const float3& n, thread const float3& g)
 fragment main0_out main0(main0_in in [[stage_in]], constant SgMaterialBlock& sg_material [[buffer(1)]], texture2d<float> t_ramp [[texture(0)]], texture2d<float> t_pebble [[texture(1)]], texture2d<float> t_weave [[texture(2)]], texture2d<float> t_scratch [[texture(3)]], sampler s_0 [[sampler(0)]], sampler s_1 [[sampler(1)]], bool gl_FrontFacing [[front_facing]])
 {
     main0_out out = {};
-    float2 param = in.sg_in_uv0;
-    SgUv m_uv0 = sg_stage_uv(param);
-    float3 param_1 = in.sg_in_normal;
-    float4 param_2 = in.sg_in_tangent;
-    SgBasis m_basis_vertex = sg_basis_vertex(param_1, param_2);
+    float3 param = in.sg_in_normal;
+    float4 param_1 = in.sg_in_tangent;
+    SgBasis m_basis_vertex = sg_basis_vertex(param, param_1);
+    float2 param_2 = in.sg_in_uv0;
+    SgUv m_uv0 = sg_stage_uv(param_2);
     SgUv param_3 = m_uv0;
     float3 param_4 = sg_sample(t_ramp, s_0, param_3).xyz;
     float param_5 = 127.5;
@@ -318,10 +318,10 @@ fragment main0_out main0(main0_in in [[stage_in]], constant SgMaterialBlock& sg_
     float3 param_30 = sg_sample(t_weave, s_0, param_29).xyz;
     float param_31 = 128.0;
     float3 param_32 = sg_decode_signed(param_30, param_31);
-    float2 m_grain_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625);
+    float2 m_grain_scale_deriv = sg_deriv_from_normal_xyz(param_32) * (-0.4000000059604644775390625);
     SgFrame param_33 = m_frame;
     SgUv param_34 = m_grain_uv;
-    float2 param_35 = m_grain_deriv;
+    float2 param_35 = m_grain_scale_deriv;
     SgBasis param_36 = sg_basis_uv(param_33, param_34);
     float3 m_grain = sg_surfgrad_from_tbn(param_35, param_36);
     SgUv param_37 = m_uv0;

@@ -1,0 +1,124 @@
+#include "tests/cross/wgsl.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "target/spirv.hpp"
+#include "tests/cross/browser.hpp"
+#include "tests/cross/process.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg::cross {
+namespace {
+
+using Json = nlohmann::json;
+
+// Chromium carries SwiftShader, a Vulkan driver that shares nothing with Mesa.
+constexpr const char* kFlags = "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader";
+
+// A shader that naga wrote, or its words.
+struct Written {
+    std::string text, refusal;
+};
+
+// Every shader of a sample by "<entry>.<stage>"; one run of node per sample.
+const std::map<std::string, Written>& written(const Sample& sample) {
+    static std::map<std::string, std::map<std::string, Written>> all;
+    auto [at, fresh] = all.try_emplace(sample.name);
+    if (!fresh) return at->second;
+    const auto folder = scratch() / ("wgsl-" + sample.name);
+    std::filesystem::create_directories(folder);
+    std::string files;
+    std::vector<std::string> names;
+    for (const runtime::EntryPoint& entry : sample.artefact.entries) {
+        for (const auto& [stage, shader] : {std::pair{"vert", &entry.vertex}, std::pair{"frag", &entry.fragment}}) {
+            names.push_back(entry.name + "." + stage);
+            write_file(folder / names.back(), target::bytes(shader->words));
+            files += fmt::format(" '{}'", (folder / names.back()).string());
+        }
+    }
+    Outcome outcome = run(fmt::format("node '{}/spirv_to_wgsl.mjs' '{}' {} 2>&1", SG_WGSL_DIR, folder.string(), files));
+    if (outcome.exit_code != 0) throw std::runtime_error("node: " + outcome.text);
+    for (const std::string& name : names) {
+        at->second[name] = {test::read_file(folder / (name + ".wgsl")), test::read_file(folder / (name + ".refused"))};
+    }
+    return at->second;
+}
+
+Json sampler_json(const runtime::gpu::SamplerState& state) {
+    constexpr const char* kWraps[] = {"repeat", "mirror-repeat", "clamp-to-edge"};
+    const char* filter = state.linear ? "linear" : "nearest";
+    return {{"addressModeU", kWraps[static_cast<std::size_t>(state.wrap_s)]},
+            {"addressModeV", kWraps[static_cast<std::size_t>(state.wrap_t)]},
+            {"magFilter", filter},
+            {"minFilter", filter}};
+}
+
+Json drawing_json(const Drawing& drawing, Json& textures) {
+    Json out = {{"vertex", drawing.vertex.text}, {"fragment", drawing.fragment.text}, {"indices", base64(drawing.indices)}, {"cull", drawing.cull_back}};
+    for (const Attribute& a : drawing.attributes) {
+        out["attributes"].push_back({{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
+    }
+    for (const Slot& slot : drawing.fragment.slots) {
+        Json row = {{"set", slot.set}, {"binding", slot.binding}, {"kind", slot.kind}};
+        if (slot.kind == "uniform_buffer") row["bytes"] = base64(drawing.blocks[slot.set]);
+        if (slot.kind == "sampler") row["sampler"] = sampler_json(drawing.samplers.at(slot.binding));
+        if (slot.kind == "texture") {
+            const TextureView& view = drawing.textures.at(slot.binding);
+            const asset::Image& image = view.chain->front();
+            std::string key = fmt::format("{} {}", static_cast<const void*>(view.chain), view.srgb);
+            if (!textures.contains(key)) textures[key] = {{"width", image.width}, {"height", image.height}, {"bytes", base64(linear_texels(view))}};
+            row["texture"] = key;
+        }
+        out["slots"].push_back(row);
+    }
+    return out;
+}
+
+}  // namespace
+
+const target::Target& wgsl_recipe() {
+    static constexpr target::Target kRecipe{"wgsl (recipe)", "wgsl", "wgsl", target::Language::spirv, 0, "", "WGSL by naga"};
+    return kRecipe;
+}
+
+std::string wgsl_missing() {
+    static const std::string kMissing = [] {
+        if (!has_program("node")) return std::string("no node");
+        if (!std::filesystem::exists(SG_WGSL_DIR "/node_modules/naga-wasm")) return std::string("no npm package naga-wasm@30.1.0");
+        if (browser().empty()) return std::string("no chromium-headless-shell and no chromium");
+        if (!has_swiftshader()) return std::string("no SwiftShader beside Chromium");
+        std::string body = body_of("document.body.textContent = !!navigator.gpu", kFlags);
+        return body == "true" ? "" : browser() + " has no WebGPU here";
+    }();
+    return kMissing;
+}
+
+Drawing wgsl_drawing(const Sample& sample) {
+    Drawing out = drawing(sample, wgsl_recipe());
+    for (auto [stage, name] : {std::pair{&out.vertex, "normal.vert"}, std::pair{&out.fragment, "normal.frag"}}) {
+        const Written& shader = written(sample).at(name);
+        if (!shader.refusal.empty()) throw std::runtime_error(sample.name + ": " + shader.refusal);
+        stage->text = shader.text;
+    }
+    return out;
+}
+
+std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) {
+    for (const auto& [name, shader] : written(sample)) {
+        if (!shader.refusal.empty()) return name + ": naga: " + shader.refusal;
+    }
+    for (const auto& [name, shader] : written(sample)) texts.push_back(shader.text);
+    return "";
+}
+
+WgslOutcome wgsl_draw(const std::vector<Drawing>& drawings, const std::vector<std::string>& texts) {
+    Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", texts}};
+    for (const Drawing& drawing : drawings) input["drawings"].push_back(drawing_json(drawing, input["textures"]));
+    PageOutcome page = run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
+    return {std::move(page.pictures), std::move(page.refusals)};
+}
+
+}  // namespace sg::cross
