@@ -10,6 +10,7 @@
 
 #include "tests/cross/mutants.hpp"
 #include "tests/cross/results.hpp"
+#include "tests/cross/wgsl.hpp"
 #include "tests/support/golden.hpp"
 
 namespace sg::cross {
@@ -51,6 +52,12 @@ TEST_P(EverySample, DrawsWhatItsSpirvDraws) {
 }
 INSTANTIATE_TEST_SUITE_P(Materials, EverySample, testing::ValuesIn(sample_names()), [](const auto& row) { return row.param; });
 
+std::vector<const target::Target*> text_targets_and_wgsl() {
+    auto out = text_targets();
+    out.push_back(&wgsl_recipe());
+    return out;
+}
+
 class EveryTarget : public testing::TestWithParam<const target::Target*> {};
 
 TEST_P(EveryTarget, CatchesMistakes) {
@@ -78,7 +85,8 @@ TEST_P(EveryTarget, GoldenText) {
         if (shown) test::expect_golden("cross/golden/" + name, text);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, testing::ValuesIn(text_targets()), [](const auto& row) { return std::string(row.param->name); });
+INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, testing::ValuesIn(text_targets_and_wgsl()),
+                         [](const auto& row) { return std::string(row.param->language == target::Language::spirv ? row.param->group : row.param->name); });
 
 TEST(Cross, ValidationLayersHaveNothingToSay) {
     results();

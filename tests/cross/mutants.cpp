@@ -6,6 +6,8 @@
 #include <regex>
 #include <stdexcept>
 
+#include "tests/cross/wgsl.hpp"
+
 namespace sg::cross {
 namespace {
 
@@ -34,6 +36,8 @@ void swap_bindings(Drawing& drawing) {
     if (drawing.target->version == 300) return std::swap(textures.at(0)->name, textures.at(1)->name);
     auto place = [&](const Slot& slot) -> std::string {
         switch (drawing.target->language) {
+            case Language::spirv:
+                return fmt::format("@group({}) @binding({})", slot.set, slot.binding);
             case Language::hlsl:
                 return drawing.target->version > 50 ? fmt::format("register(t{}, space{})", slot.index, slot.space) : fmt::format("register(t{})", slot.index);
             case Language::msl:
@@ -48,6 +52,8 @@ void swap_bindings(Drawing& drawing) {
 void transpose_matrix(Drawing& drawing) {
     std::string& text = drawing.vertex.text;
     switch (drawing.target->language) {
+        case Language::spirv:
+            return change(text, "\\((mat3x3<f32>\\([^;]*\\)) \\* (_e\\d+)\\);", "($2 * $1);");
         case Language::hlsl:
             return change(text, "row_major float4x4 sg_object_block_normal", "column_major float4x4 sg_object_block_normal");
         case Language::msl:
@@ -60,6 +66,8 @@ void transpose_matrix(Drawing& drawing) {
 void flip_t(Drawing& drawing) {
     std::string& text = drawing.fragment.text;
     switch (drawing.target->language) {
+        case Language::spirv:
+            return change(text, "textureSampleGrad\\((\\w+), (\\w+), (_e\\d+),", "textureSampleGrad($1, $2, vec2<f32>($3.x, 1f - $3.y),");
         case Language::hlsl:
             return change(text, "SampleGrad\\(filtering, uv.st,", "SampleGrad(filtering, float2(uv.st.x, 1.0f - uv.st.y),");
         case Language::msl:
@@ -69,7 +77,7 @@ void flip_t(Drawing& drawing) {
     }
 }
 
-void keep_clip_space(Drawing& drawing) { change(drawing.vertex.text, "\n *(out.|)gl_Position.y = -[^\n]*", ""); }
+void keep_clip_space(Drawing& drawing) { change(drawing.vertex.text, "\n *(\\w+\\.|)gl_Position.y = -[^\n]*", ""); }
 
 }  // namespace
 
@@ -80,7 +88,7 @@ std::vector<Mutant> mutants(const Sample& sample, const target::Target& target) 
                                                                 {"Vulkan's clip space kept", keep_clip_space}};
     std::vector<Mutant> out;
     for (const auto& [name, make] : kinds) {
-        out.push_back({name, drawing(sample, target)});
+        out.push_back({name, &target == &wgsl_recipe() ? wgsl_drawing(sample) : drawing(sample, target)});
         make(out.back().drawing);
     }
     return out;
