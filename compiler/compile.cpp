@@ -6,46 +6,12 @@
 
 #include "artefact.hpp"
 #include "cross_entry.hpp"
-#include "base/ice.hpp"
 #include "emit/glsl.hpp"
-#include "json/json.hpp"
-#include "material/checked.hpp"
 #include "opt/optimise.hpp"
+#include "stages.hpp"
 
 namespace sg {
 namespace {
-
-std::optional<material::CheckedMaterial> read_and_check(const CompileRequest& request, Files& files, Diags& diags) {
-    std::optional<json::Document> document = json::parse(request.source, diags);
-    if (!document) return std::nullopt;
-    std::size_t before = diags.error_count();
-    material::Material read = material::read(*document, diags);
-    std::optional<material::CheckedMaterial> checked = material::check(read, files, {request.roots}, diags);
-    return diags.error_count() == before ? std::move(checked) : std::nullopt;
-}
-
-// Textures that sample alike share a sampler: the settings by group, and the group of each texture.
-struct SamplerGroups {
-    std::vector<material::SamplerDecl> settings;
-    std::vector<std::uint32_t> group;
-};
-SamplerGroups group_samplers(const material::CheckedMaterial& material) {
-    SamplerGroups out;
-    for (const material::CheckedTexture& texture : material.textures) {
-        auto it = std::find(out.settings.begin(), out.settings.end(), texture.sampler);
-        out.group.push_back(static_cast<std::uint32_t>(it - out.settings.begin()));
-        if (it == out.settings.end()) out.settings.push_back(texture.sampler);
-    }
-    return out;
-}
-
-target::Words to_spirv(const std::string& text, const std::string& name, target::Stage stage,
-                       const target::ShaderLibrary& library, const target::SpirvOptions& options) {
-    std::string fault;
-    std::optional<target::Words> words = target::compile_glsl(text, name, stage, library, options, fault);
-    if (!words) SG_UNREACHABLE(fmt::format("generated GLSL does not compile: {}\n{}", fault, text));
-    return std::move(*words);
-}
 
 std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const emit::EntryPoint& entry,
                                            const ir::Module& module, const emit::MaterialInterface& interface,
@@ -64,6 +30,10 @@ bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
     return names.empty() || std::find(names.begin(), names.end(), entry.name) != names.end();
 }
 
+bool has_limits(const material::Budget& budget) {
+    return std::any_of(budget.begin(), budget.end(), [](const auto& limit) { return limit.has_value(); });
+}
+
 bool ships(const CompileRequest& request, target::Language language) {
     return std::any_of(request.targets.begin(), request.targets.end(), [&](const target::Target* t) { return t->language == language; });
 }
@@ -71,12 +41,12 @@ bool ships(const CompileRequest& request, target::Language language) {
 }  // namespace
 
 bool check_material(const CompileRequest& request, Files& files, Diags& diags) {
-    return read_and_check(request, files, diags).has_value();
+    return read_and_check(request.source, {request.roots}, files, diags).has_value();
 }
 
 std::optional<Compiled> compile_material(const CompileRequest& request, Files& files,
                                          const target::ShaderLibrary& library, Diags& diags) {
-    std::optional<material::CheckedMaterial> checked = read_and_check(request, files, diags);
+    std::optional<material::CheckedMaterial> checked = read_and_check(request.source, {request.roots}, files, diags);
     if (!checked) return std::nullopt;
 
     std::size_t before = diags.error_count();
@@ -97,6 +67,14 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
         out.spirv_assembly.push_back({name + ".vert", target::disassemble(compiled->vertex)});
         out.spirv_assembly.push_back({name + ".frag", target::disassemble(compiled->fragment)});
         entries.push_back(std::move(*compiled));
+    }
+    if (has_limits(checked->budget) || has_limits(request.budget)) {
+        auto forward = std::find_if(entries.begin(), entries.end(), [](const CompiledEntry& e) { return e.entry->name == "forward"; });
+        // It counts for every build, also one that leaves the forward entry out.
+        ForwardCost cost = forward != entries.end() ? forward_cost(forward->shaders, forward->fragment)
+                                                    : forward_cost(optimised, interface, request.stem, library, request.spirv);
+        hold_to_budget(cost, checked->budget, "'budget' allows", request.source, diags);
+        hold_to_budget(cost, request.budget, "--budget allows", request.source, diags);
     }
     if (diags.error_count() != before) return std::nullopt;
     std::string file = std::filesystem::path(request.source->name).filename().string();

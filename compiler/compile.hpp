@@ -8,6 +8,7 @@
 
 #include "base/diag.hpp"
 #include "base/files.hpp"
+#include "material/material.hpp"
 #include "target/shader_library.hpp"
 #include "target/spirv.hpp"
 #include "target/targets.hpp"
@@ -22,6 +23,7 @@ struct CompileRequest {
     std::vector<const target::Target*> targets{target::find_target("spirv")};
     target::SpirvOptions spirv;
     bool optimise_ir = true;
+    material::Budget budget;                     // beside the material's own; its places count for nothing
     std::string skipped_rule;                    // of the optimiser; for measurements
 };
 

@@ -1,9 +1,11 @@
 // surfgradc: the command line. Arguments, one call, diagnostics, exit code:
 // 0 fine, 1 the input is wrong, 2 the command line is wrong, 3 our own bug, 4 the system failed.
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <exception>
 #include <iostream>
 #include <iterator>
@@ -12,6 +14,7 @@
 #include "base/ice.hpp"
 #include "compile.hpp"
 #include "emit/glsl.hpp"
+#include "explain.hpp"
 #include "kinds.hpp"
 #include "schema.hpp"
 
@@ -28,6 +31,7 @@ struct Options {
     std::vector<std::string> entries;
     std::vector<std::string> targets{"spirv"};
     std::vector<std::string> emit;
+    std::vector<std::string> budget;
     std::string name;
     std::string diagnostics = "human";
     std::string color = "auto";
@@ -55,6 +59,20 @@ sg::SourcePtr read_source(const std::string& file, const Options& options, sg::F
     return std::make_shared<sg::Source>(sg::Source{file, std::move(*text)});
 }
 
+// "instructions=300" into the budget; "" or what is wrong with it.
+std::string set_limit(const std::string& word, sg::material::Budget& budget) {
+    std::size_t equals = word.find('=');
+    auto name = std::find(sg::material::kCostNames.begin(), sg::material::kCostNames.end(), word.substr(0, equals));
+    std::uint32_t limit = 0;
+    const char* end = word.data() + word.size();
+    auto number = equals == word.npos ? std::from_chars(end, end, limit) : std::from_chars(word.data() + equals + 1, end, limit);
+    if (name == sg::material::kCostNames.end() || number.ec != std::errc{} || number.ptr != end) {
+        return fmt::format("'{}' is no limit, expected {}=N", word, fmt::join(sg::material::kCostNames, "=N, "));
+    }
+    budget[static_cast<std::size_t>(name - sg::material::kCostNames.begin())] = sg::material::Located<std::uint32_t>{limit, {}};
+    return "";
+}
+
 sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, const Options& options) {
     sg::CompileRequest request{.source = std::move(source)};
     fs::path path = file == "-" ? fs::path(request.source->name) : fs::path(file);
@@ -67,6 +85,7 @@ sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, c
     request.spirv.optimise = options.o0 ? none : options.os ? size : speed;
     request.spirv.debug_info = options.debug;
     request.optimise_ir = !options.o0;
+    for (const std::string& word : options.budget) set_limit(word, request.budget);
     return request;
 }
 
@@ -89,7 +108,9 @@ void add_emitted(const sg::Compiled& compiled, const std::string& stem, const Op
     }
 }
 
-int run_compile(const Options& options, bool check_only) {
+enum class Task { check, explain, compile };
+
+int run_task(const Options& options, Task task) {
     sg::RealFiles files;
     sg::target::ShaderLibrary library = sg::target::embedded_library();
     sg::Diags diags;
@@ -97,8 +118,12 @@ int run_compile(const Options& options, bool check_only) {
         sg::SourcePtr source = read_source(file, options, files, diags);
         if (!source) continue;
         sg::CompileRequest request = make_request(source, file, options);
-        if (check_only) {
+        if (task == Task::check) {
             sg::check_material(request, files, diags);
+            continue;
+        }
+        if (task == Task::explain) {
+            fmt::print("{}", sg::explain_material(request, files, library, diags).value_or(""));
             continue;
         }
         std::optional<sg::Compiled> compiled = sg::compile_material(request, files, library, diags);
@@ -150,6 +175,12 @@ void add_compile_options(CLI::App& command, Options& options) {
     command.add_option("--emit", options.emit, "further texts to write: ir, opt-ir, glsl, spvasm")
         ->delimiter(',')
         ->check(CLI::IsMember({"ir", "opt-ir", "glsl", "spvasm"}));
+    command.add_option("--budget", options.budget, "fail where the forward shader costs more: instructions=N, texture_reads=N, interpolants=N")
+        ->delimiter(',')
+        ->check([](const std::string& word) {
+            sg::material::Budget budget;
+            return set_limit(word, budget);
+        });
     auto* o = command.add_flag("-O", options.o, "optimise (default)");
     auto* o0 = command.add_flag("--O0", options.o0, "do not optimise, neither the gradients nor the SPIR-V (also -O0)");
     auto* os = command.add_flag("--Os", options.os, "as -O, and strip names from the SPIR-V (also -Os)");
@@ -179,6 +210,8 @@ int run(int argc, char** argv) {
     add_compile_options(*compile, options);
     CLI::App* check = app.add_subcommand("check", "report what is wrong with materials, write nothing");
     add_input_options(*check, options);
+    CLI::App* explain = app.add_subcommand("explain", "tell what the optimiser did and what each layer costs");
+    add_input_options(*explain, options);
     CLI::App* kinds = app.add_subcommand("kinds", "list the layer and node kinds and their fields");
     CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema (draft-07) of materials, for editors");
     app.add_subcommand("codes", "list the diagnostic codes with cause and mend");
@@ -187,8 +220,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kExitUsage;
     }
-    if (compile->parsed()) return run_compile(options, false);
-    if (check->parsed()) return run_compile(options, true);
+    if (compile->parsed()) return run_task(options, Task::compile);
+    if (explain->parsed()) return run_task(options, Task::explain);
+    if (check->parsed()) return run_task(options, Task::check);
     if (kinds->parsed()) return print(sg::kinds_text());
     return schema->parsed() ? print(sg::schema_text()) : run_codes();
 }

@@ -179,6 +179,14 @@ Json surface_definition() {
                    {"two_sided", words(kSides)}});
 }
 
+Json budget_definition() {
+    Json properties = Json::object();
+    for (std::string_view name : material::kCostNames) {
+        properties[std::string(name)] = {{"type", "integer"}, {"minimum", 0}, {"maximum", 1e9}};
+    }
+    return object(properties);
+}
+
 // An object whose keys are names.
 Json named(Json item) {
     return {{"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", std::move(item)}};
@@ -203,7 +211,8 @@ std::string schema_text() {
                        {"textures", named(texture_definition())},
                        {"nodes", named(reference("node"))},
                        {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
-                       {"surface", surface_definition()}},
+                       {"surface", surface_definition()},
+                       {"budget", budget_definition()}},
                       {"version"}));
     out["definitions"] = definitions;
     return out.dump(2) + "\n";

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "base/ice.hpp"
 
 namespace sg::emit {
@@ -81,9 +83,7 @@ void Body::count_uses() {
     uses_.assign(module_.values.size(), 0);
     layer_result_.assign(module_.values.size(), false);
     for (const Value& value : module_.values) {
-        for (std::size_t i = 0; i < value.operands.size(); ++i) {
-            ValueId operand = value.operands[i];
-            uses_[operand.index] += times_written(ir::info(value.op).glsl, i);
+        for (ValueId operand : value.operands) {
             const Value& used = module_.at(operand);
             bool leaves_layer = used.layer.valid() && used.layer != value.layer;
             if (leaves_layer && used.type == ir::Type::SurfGrad) layer_result_[operand.index] = true;
@@ -93,6 +93,14 @@ void Body::count_uses() {
         bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output);
         uses_[output.value.index] += taken_apart ? 2 : 1;
         if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
+    }
+    // A trivial value is written out at each use, and its operands with it.
+    for (std::size_t i = module_.values.size(); i-- > 0;) {
+        const Value& value = module_.values[i];
+        std::uint32_t times = is_trivial(value) ? std::min(uses_[i], 2u) : 1;
+        for (std::size_t k = 0; k < value.operands.size(); ++k) {
+            uses_[value.operands[k].index] += times * times_written(ir::info(value.op).glsl, k);
+        }
     }
 }
 

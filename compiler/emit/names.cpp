@@ -18,9 +18,12 @@ std::string Names::unique(std::string_view prefix, std::string_view wanted) {
     }
     while (name.size() > prefix.size() && name.back() == '_') name.pop_back();
     if (name.size() == prefix.size()) name += "x";
-    std::string candidate = name;
-    for (int n = 2; !taken_.insert(candidate).second; ++n) candidate = fmt::format("{}_{}", name, n);
-    return candidate;
+    auto [first, fresh] = taken_.try_emplace(name, 2);
+    if (fresh) return name;
+    for (int& n = first->second;;) {
+        std::string candidate = fmt::format("{}_{}", name, n++);
+        if (taken_.try_emplace(candidate, 2).second) return candidate;
+    }
 }
 
 std::string comment_text(std::string_view text) {

@@ -5,7 +5,7 @@
 //   * is the same for the same calls in the same order.
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -16,7 +16,8 @@ public:
     std::string unique(std::string_view prefix, std::string_view wanted);
 
 private:
-    std::set<std::string, std::less<>> taken_;
+    // By name: the number to try next behind it, where it is wanted again; all smaller ones are taken.
+    std::map<std::string, int> taken_;
 };
 
 // Text for a '//' comment: one line, printable, without a trailing backslash, which would continue the line.

@@ -141,14 +141,39 @@ ValueId LowerContext::color(const FieldValue& value) {
 }
 
 // Each node is lowered once per stage, so that sharing costs nothing.
-ValueId LowerContext::node(NodeId id, Type wanted) {
+ValueId LowerContext::lowered(NodeId id) {
     const NodeInstance& instance = nodes_[id.index];
-    ValueId value = shared(node_values_[id.index], [&] {
+    return shared(node_values_[id.index], [&] {
+        ++depth_;
         ValueId made = instance.kind->lower(*this, instance.values);
+        --depth_;
         ir::Value& last = builder_.module().values[made.index];
         if (last.name.empty()) last.name = instance.name;
         return made;
     });
+}
+
+// All that a node stands on, with a stack of its own.
+void LowerContext::lower_operands(NodeId id) {
+    std::vector<NodeId> open{id};
+    while (!open.empty()) {
+        NodeId top = open.back(), next;
+        for (const FieldValue& value : nodes_[top.index].values) {
+            if (value.node.valid() && !node_values_[value.node.index].valid()) next = value.node;
+        }
+        if (next.valid()) {
+            open.push_back(next);
+            continue;
+        }
+        open.pop_back();
+        if (top != id) lowered(top);
+    }
+}
+
+ValueId LowerContext::node(NodeId id, Type wanted) {
+    constexpr std::size_t kDeep = 200;  // nodes calling each other; the program's stack holds no more than thousands
+    if (depth_ >= kDeep && !node_values_[id.index].valid()) lower_operands(id);
+    ValueId value = lowered(id);
     if (builder_.module().at(value).type == wanted) return value;
     SG_ASSERT(wanted == Type::Color);  // the check refuses a colour where a number is wanted
     return builder_.add(Op::grey, {value});

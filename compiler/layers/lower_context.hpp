@@ -79,6 +79,8 @@ private:
     template <class Make>
     ir::ValueId shared(ir::ValueId& slot, Make make);
     ir::ValueId node(NodeId id, ir::Type wanted);
+    ir::ValueId lowered(NodeId id);
+    void lower_operands(NodeId id);
     ir::ValueId vertex_normal();
     ir::ValueId uv_set(std::uint32_t set);
 
@@ -86,6 +88,7 @@ private:
     std::vector<TextureFacts> facts_;
     std::vector<NodeInstance> nodes_;
     std::vector<ir::ValueId> node_values_;
+    std::size_t depth_ = 0;  // of nodes that are being lowered
     bool mirror_;
     ir::LayerId layer_;
     ir::ValueId vertex_normal_, position_, facing_, time_, vertex_color_, vertex_tangents_;

@@ -31,6 +31,17 @@ void Checker::claim_layers(const std::vector<LayerDecl>& decls, std::map<std::st
     }
 }
 
+void Checker::index_names() {
+    auto fill = [](Index& index, const auto& decls) {
+        for (std::size_t i = 0; i < decls.size(); ++i) {
+            if (!decls[i].name.value.empty()) index.emplace(decls[i].name.value, i);
+        }
+    };
+    fill(textures_by_name, in.textures);
+    fill(parameters_by_name, in.parameters);
+    fill(nodes_by_name, in.nodes);
+}
+
 // Stages and layers share one space of names: messages, generated text and views use them.
 void Checker::ids() {
     std::map<std::string_view, At> seen;
@@ -75,6 +86,8 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     for (const ParameterDecl& p : material.parameters) {
         checker.out.parameters.push_back({p.name.value, p.type, p.fallback, p.range, p.label, p.unit});
     }
+    checker.out.budget = material.budget;
+    checker.index_names();
     checker.ids();
     checker.textures();
     checker.nodes();

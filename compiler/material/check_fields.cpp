@@ -13,7 +13,12 @@ using layers::FieldValue;
 namespace {
 
 // ", did you mean 'x'?" or ", expected 'x' or 'y'" or ", the material declares no things".
-std::string hint(std::string_view name, const std::vector<std::string_view>& names, std::string_view things) {
+template <class Decl>
+std::string hint(std::string_view name, const std::vector<Decl>& decls, std::string_view things) {
+    std::vector<std::string_view> names;
+    for (const Decl& decl : decls) {
+        if (!decl.name.value.empty()) names.push_back(decl.name.value);
+    }
     std::string near = did_you_mean(name, names);
     if (!near.empty()) return near;
     return names.empty() ? fmt::format(", the material declares no {}", things) : fmt::format(", expected {}", one_of(names));
@@ -29,33 +34,27 @@ std::span<const ParameterType> types_for(FieldKind kind) {
 }  // namespace
 
 std::optional<std::size_t> Checker::find_texture(const std::string& name, const At& at) {
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < in.textures.size(); ++i) {
-        if (in.textures[i].name.value == name) return i;
-        names.push_back(in.textures[i].name.value);
-    }
-    error(Code::unknown_texture, at, fmt::format("unknown texture '{}'{}", printable(name), hint(name, names, "textures")));
+    if (auto found = textures_by_name.find(name); found != textures_by_name.end()) return found->second;
+    error(Code::unknown_texture, at, fmt::format("unknown texture '{}'{}", printable(name), hint(name, in.textures, "textures")));
     return std::nullopt;
 }
 
 ir::ParameterId Checker::find_parameter(const std::string& name, const At& at, std::span<const ParameterType> types) {
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < in.parameters.size(); ++i) {
-        const ParameterDecl& decl = in.parameters[i];
-        names.push_back(decl.name.value);
-        if (decl.name.value != name) continue;
-        if (!decl.faulty && std::find(types.begin(), types.end(), decl.type) == types.end()) {
-            std::vector<std::string_view> expected;
-            for (ParameterType type : types) expected.push_back(parameter_type_name(type));
-            error(Code::parameter_type, at,
-                  fmt::format("parameter '{}' is of type '{}', expected {}", printable(name),
-                              parameter_type_name(decl.type), one_of(expected)),
-                  {note("it is declared here", decl.name.at)});
-        }
-        return {static_cast<std::uint32_t>(i)};
+    auto found = parameters_by_name.find(name);
+    if (found == parameters_by_name.end()) {
+        error(Code::unknown_parameter, at, fmt::format("unknown parameter '{}'{}", printable(name), hint(name, in.parameters, "parameters")));
+        return {};
     }
-    error(Code::unknown_parameter, at, fmt::format("unknown parameter '{}'{}", printable(name), hint(name, names, "parameters")));
-    return {};
+    const ParameterDecl& decl = in.parameters[found->second];
+    if (!decl.faulty && std::find(types.begin(), types.end(), decl.type) == types.end()) {
+        std::vector<std::string_view> expected;
+        for (ParameterType type : types) expected.push_back(parameter_type_name(type));
+        error(Code::parameter_type, at,
+              fmt::format("parameter '{}' is of type '{}', expected {}", printable(name),
+                          parameter_type_name(decl.type), one_of(expected)),
+              {note("it is declared here", decl.name.at)});
+    }
+    return {static_cast<std::uint32_t>(found->second)};
 }
 
 void Checker::expression(const Expression& written, FieldKind kind, FieldValue& value) {
@@ -68,14 +67,12 @@ void Checker::expression(const Expression& written, FieldKind kind, FieldValue& 
             value.parameter = find_parameter(written.name, written.at, types_for(kind));
             return;
         case Expression::Kind::node_name: {
-            std::vector<std::string_view> names;
-            for (node = 0; node < in.nodes.size() && in.nodes[node].name.value != written.name; ++node) {
-                if (!in.nodes[node].name.value.empty()) names.push_back(in.nodes[node].name.value);
-            }
-            if (node == in.nodes.size()) {
-                error(Code::unknown_node, written.at, fmt::format("unknown node '{}'{}", printable(written.name), hint(written.name, names, "nodes")));
+            auto named = nodes_by_name.find(written.name);
+            if (named == nodes_by_name.end()) {
+                error(Code::unknown_node, written.at, fmt::format("unknown node '{}'{}", printable(written.name), hint(written.name, in.nodes, "nodes")));
                 return;
             }
+            node = named->second;
             break;
         }
         case Expression::Kind::node:

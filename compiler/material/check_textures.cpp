@@ -27,13 +27,11 @@ bool holds_signed_numbers(ir::TextureEncoding encoding) {
 
 // Textures that nothing names get no binding.
 std::vector<bool> Checker::used_textures() const {
-    std::map<std::string_view, std::size_t> by_name;
-    for (std::size_t i = 0; i < in.textures.size(); ++i) by_name.emplace(in.textures[i].name.value, i);
     std::vector<bool> used(in.textures.size(), false);
     auto mark = [&](const std::vector<FieldEntry>& entries) {
         for (const FieldEntry& entry : entries) {
-            auto it = entry.word.empty() ? by_name.end() : by_name.find(entry.word);
-            if (it != by_name.end()) used[it->second] = true;
+            auto it = textures_by_name.find(entry.word);
+            if (it != textures_by_name.end()) used[it->second] = true;
         }
     };
     auto mark_layers = [&](auto& self, const std::vector<LayerDecl>& layers) -> void {

@@ -53,6 +53,7 @@ struct CheckedMaterial {
     std::vector<layers::NodeInstance> nodes;
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
     CheckedSurface surface;
+    Budget budget;
 };
 
 // Where files may be: the material's own folder first, then each -I root.

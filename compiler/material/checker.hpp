@@ -15,12 +15,17 @@ struct Checker {
     CheckedMaterial out{};
     std::vector<std::uint32_t> texture_index;  // from Material::textures to CheckedMaterial::textures
 
+    // Names to indexes; the first of two alike.
+    using Index = std::map<std::string_view, std::size_t>;
+    Index textures_by_name, parameters_by_name, nodes_by_name;
+
     void error(Code code, const At& at, std::string message, std::vector<Note> notes = {}) {
         diags.error(code, {in.source, at.span, at.pointer}, std::move(message), std::move(notes));
     }
     Note note(std::string text, const At& at) { return {std::move(text), {in.source, at.span, at.pointer}}; }
 
     // check.cpp
+    void index_names();
     void ids();
     void claim_layers(const std::vector<LayerDecl>& layers, std::map<std::string_view, At>& seen);
     CheckedLayer layer(const LayerDecl& decl);

@@ -122,6 +122,11 @@ struct SurfaceDecl {
     TwoSided two_sided = TwoSided::off;
 };
 
+// What the forward entry point's fragment shader may cost at most.
+enum class Cost { instructions, texture_reads, interpolants };
+inline constexpr std::array<std::string_view, 3> kCostNames = {"instructions", "texture_reads", "interpolants"};
+using Budget = std::array<std::optional<Located<std::uint32_t>>, kCostNames.size()>;  // by Cost
+
 struct Material {
     SourcePtr source;
     std::string name;  // "" when not given
@@ -131,6 +136,7 @@ struct Material {
     std::vector<NodeDecl> nodes;  // named ones first, in the order of the file; then those written in place
     std::vector<StageDecl> bump;
     SurfaceDecl surface;
+    Budget budget;
 };
 
 inline constexpr int kVersion = 1;

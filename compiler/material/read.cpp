@@ -83,9 +83,17 @@ void Reader::surface(const Value& value, const std::string& pointer) {
     out.surface.two_sided = static_cast<TwoSided>(reader.choice("two_sided", {"off", "mirror", "flip"}).value_or(0));
 }
 
+void Reader::budget(const Value& value, const std::string& pointer) {
+    ObjectReader reader = object(value, pointer, "'budget'", {kCostNames.begin(), kCostNames.end()});
+    for (std::size_t i = 0; i < kCostNames.size(); ++i) {
+        auto limit = reader.integer(kCostNames[i], {0, 1e9});
+        if (limit) out.budget[i] = Located<std::uint32_t>{*limit, reader.at(kCostNames[i], *reader.get(kCostNames[i]))};
+    }
+}
+
 void Reader::document(const Value& root) {
     ObjectReader reader = object(root, "", "a material",
-                                 {"$schema", "version", "name", "description", "parameters", "textures", "nodes", "bump", "surface"});
+                                 {"$schema", "version", "name", "description", "parameters", "textures", "nodes", "bump", "surface", "budget"});
     if (!reader.ok()) return;
     reader.string("$schema");
     if (auto version = reader.integer("version", {1, 1e6}, true); version && *version != kVersion) {
@@ -99,6 +107,7 @@ void Reader::document(const Value& root) {
     named_nodes(reader);
     for (const auto& [item, pointer] : reader.array("bump")) stage(*item, pointer);
     if (const Value* value = reader.get("surface")) surface(*value, "/surface");
+    if (const Value* value = reader.get("budget")) budget(*value, "/budget");
 }
 
 Material read(const json::Document& document, Diags& diags) {

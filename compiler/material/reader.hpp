@@ -20,6 +20,7 @@ struct Reader {
     void texture(const json::Member& member, const std::string& pointer);
     SamplerDecl sampler(const json::Value& value, const std::string& pointer);
     void surface(const json::Value& value, const std::string& pointer);
+    void budget(const json::Value& value, const std::string& pointer);
     void document(const json::Value& root);
 
     // read_layers.cpp

@@ -22,10 +22,31 @@ struct Rule {
 };
 std::span<const Rule> all_rules();
 
+// A rule that was applied: while the value `before` of the given module was rewritten, on an operation. Rules that
+// were applied to what a rule made stand behind it.
+struct RuleUse {
+    std::string_view rule;
+    ir::Op op{};
+    ir::ValueId before;
+};
+
+// Where a value of the optimised module comes from.
+struct Origin {
+    ir::ValueId before;
+    std::string_view rule;  // that made it; "" where it only was copied
+};
+
+// What became of what; for people.
+struct Log {
+    std::vector<RuleUse> uses;       // by `before`
+    std::vector<ir::ValueId> after;  // by value of the given module: what stands for it; invalid where nothing needs it
+    std::vector<Origin> origins;     // by value of the optimised module
+};
+
 class Rewriter {
 public:
-    // `skipped` names a rule that is left out, to measure what it is worth; "" for none.
-    Rewriter(const ir::Module& declarations, std::string_view skipped);
+    // `skipped` names a rule that is left out, to measure what it is worth; "" for none. `log`: null for none.
+    Rewriter(const ir::Module& declarations, std::string_view skipped, Log* log = nullptr);
     // The id of this value in the new module: by a rule, an equal value, or a new one.
     ir::ValueId add(ir::Value value);
     ir::ValueId add(ir::Op op, std::vector<ir::ValueId> operands, const ir::Value& like);
@@ -37,13 +58,16 @@ public:
 private:
     ir::Module module_;
     std::string_view skipped_;
+    Log* log_;
+    std::string_view maker_;  // the innermost rule at work
     std::vector<std::vector<std::uint32_t>> buckets_;
+    ir::ValueId apply(const Rule& rule, const ir::Value& value);
     [[nodiscard]] std::size_t hash(const ir::Value& value) const;
     void grow();
 };
 
 // All rules, merging of equal values, dropping of unused ones.
-ir::Module optimise(const ir::Module& module, std::string_view skipped_rule = "");
+ir::Module optimise(const ir::Module& module, std::string_view skipped_rule = "", Log* log = nullptr);
 
 // The module with these outputs alone and only the values that they need.
 ir::Module select_outputs(const ir::Module& module, std::span<const ir::Output> outputs);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "base/ice.hpp"
 #include "opt/optimise.hpp"
@@ -18,7 +19,8 @@ bool equal(const Value& a, const Value& b) {
 
 }  // namespace
 
-Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped) : skipped_(skipped), buckets_(64) {
+Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped, Log* log)
+    : skipped_(skipped), log_(log), buckets_(64) {
     module_.name = declarations.name;
     module_.textures = declarations.textures;
     module_.parameters = declarations.parameters;
@@ -46,10 +48,22 @@ void Rewriter::grow() {
     buckets_ = std::move(bigger);
 }
 
+// Notes the rule in front of those that it led to.
+ValueId Rewriter::apply(const Rule& rule, const Value& value) {
+    if (!log_) return rule.apply(*this, value);
+    std::size_t at = log_->uses.size();
+    std::string_view outer = std::exchange(maker_, rule.name);
+    ValueId better = rule.apply(*this, value);
+    maker_ = outer;
+    ValueId before{static_cast<std::uint32_t>(log_->after.size())};
+    if (better.valid()) log_->uses.insert(log_->uses.begin() + static_cast<std::ptrdiff_t>(at), {rule.name, value.op, before});
+    return better;
+}
+
 ValueId Rewriter::add(Value value) {
     for (const Rule& rule : all_rules()) {
         if (rule.name == skipped_ || std::find(rule.ops.begin(), rule.ops.end(), value.op) == rule.ops.end()) continue;
-        if (ValueId better = rule.apply(*this, value); better.valid()) return better;
+        if (ValueId better = apply(rule, value); better.valid()) return better;
     }
     if (module_.values.size() > buckets_.size()) grow();
     std::vector<std::uint32_t>& bucket = buckets_[hash(value) % buckets_.size()];
@@ -58,6 +72,7 @@ ValueId Rewriter::add(Value value) {
     }
     auto index = static_cast<std::uint32_t>(module_.values.size());
     bucket.push_back(index);
+    if (log_) log_->origins.push_back({{static_cast<std::uint32_t>(log_->after.size())}, maker_});
     module_.values.push_back(std::move(value));
     return {index};
 }
@@ -72,15 +87,15 @@ ValueId Rewriter::add(Op op, std::vector<ValueId> operands, const Value& like) {
 
 namespace {
 
-// Drops values that no output needs and closes the gaps.
-ir::Module compact(ir::Module module) {
+// Drops values that no output needs and closes the gaps. `renamed`: the new id of every value, invalid if dropped.
+ir::Module compact(ir::Module module, std::vector<ValueId>& renamed) {
     std::vector<bool> live(module.values.size(), false);
     for (const ir::OutputBinding& output : module.outputs) live[output.value.index] = true;
     for (std::size_t i = module.values.size(); i-- > 0;) {
         if (!live[i]) continue;
         for (ValueId operand : module.values[i].operands) live[operand.index] = true;
     }
-    std::vector<ValueId> renamed(module.values.size());
+    renamed.assign(module.values.size(), {});
     std::vector<Value> kept;
     for (std::size_t i = 0; i < module.values.size(); ++i) {
         if (!live[i]) continue;
@@ -94,14 +109,31 @@ ir::Module compact(ir::Module module) {
     return module;
 }
 
+ir::Module compact(ir::Module module) {
+    std::vector<ValueId> renamed;
+    return compact(std::move(module), renamed);
+}
+
+// The log speaks of the rewritten module until here.
+void rename(Log& log, const std::vector<ValueId>& renamed) {
+    for (ValueId& after : log.after) after = renamed[after.index];
+    std::vector<Origin> kept;
+    for (std::size_t i = 0; i < renamed.size(); ++i) {
+        if (renamed[i].valid()) kept.push_back(log.origins[i]);
+    }
+    log.origins = std::move(kept);
+}
+
 }  // namespace
 
-ir::Module optimise(const ir::Module& module, std::string_view skipped_rule) {
-    Rewriter rewriter(module, skipped_rule);
+ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log* log) {
+    if (log) *log = {};
+    Rewriter rewriter(module, skipped_rule, log);
     std::vector<ValueId> renamed;
     for (Value value : module.values) {
         for (ValueId& operand : value.operands) operand = renamed[operand.index];
         renamed.push_back(rewriter.add(std::move(value)));
+        if (log) log->after.push_back(renamed.back());
     }
     ir::Module out = rewriter.take();
     out.outputs = module.outputs;
@@ -119,7 +151,8 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule) {
                            [&](const Value& value) { return value.op == shown.op && value.index == shown.index; });
     };
     std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
-    out = compact(std::move(out));
+    out = compact(std::move(out), renamed);
+    if (log) rename(*log, renamed);
     std::string faults = ir::verify(out);
     if (!faults.empty()) SG_UNREACHABLE("optimising made a bad module:\n" + faults);
     return out;

@@ -86,6 +86,8 @@ void register_passes(spvtools::Optimizer& optimizer, Optimise level) {
     if (level == Optimise::size) optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass());
 }
 
+}  // namespace
+
 // An Optimizer may run once only: each call makes its own.
 std::optional<Words> run_optimizer(const Words& words, Optimise level, std::string& fault) {
     spvtools::Optimizer optimizer(kEnvironment);
@@ -134,8 +136,6 @@ std::optional<Words> front_end(std::string_view text, std::string_view name, Sta
     glslang::GlslangToSpv(*program.getIntermediate(language(stage)), words, &options);
     return words;
 }
-
-}  // namespace
 
 std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,
                                   const ShaderLibrary& library, const SpirvOptions& options, std::string& fault) {

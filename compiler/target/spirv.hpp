@@ -33,6 +33,11 @@ using Words = std::vector<std::uint32_t>;
 std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,
                                   const ShaderLibrary& library, const SpirvOptions& options, std::string& fault);
 
+// The steps of compile_glsl, to measure them.
+std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage, const ShaderLibrary& library,
+                               bool debug_info, std::string& fault);
+std::optional<Words> run_optimizer(const Words& words, Optimise level, std::string& fault);
+
 // "" or what spirv-val says for Vulkan 1.1.
 std::string validate(std::span<const std::uint32_t> words);
 

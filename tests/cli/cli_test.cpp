@@ -110,6 +110,10 @@ TEST_F(Cli, ExitCodes) {
     EXPECT_EQ(run(one, "compile").exit_code, 2);
     EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --entry lit").exit_code, 2);
     EXPECT_EQ(run(one, "compile materials/normal_map.json -o out -O0 -Os").exit_code, 2);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --budget interpolants").exit_code, 2);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --budget texture_reads=0,interpolants=64").exit_code, 1);
+    EXPECT_EQ(run(one, "explain materials/normal_map.json").exit_code, 0);
+    EXPECT_EQ(run(one, "explain none.json").exit_code, 1);
     EXPECT_EQ(run(one, "frobnicate").exit_code, 2);
     EXPECT_EQ(run(one, "--help").exit_code, 0);
     EXPECT_EQ(run(one, "compile --help").exit_code, 0);

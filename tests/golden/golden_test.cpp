@@ -7,6 +7,7 @@
 
 #include "compile.hpp"
 #include "emit/glsl.hpp"
+#include "explain.hpp"
 #include "layers/kind.hpp"
 #include "tests/support/golden.hpp"
 
@@ -24,13 +25,16 @@ std::vector<fs::path> samples() {
     return out;
 }
 
+CompileRequest request_for(const fs::path& path) {
+    return {.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)}),
+            .stem = path.stem().string(),
+            .roots = {path.parent_path()}};
+}
+
 Compiled compile(const fs::path& path, target::Optimise optimise = target::Optimise::speed) {
     RealFiles files;
     Diags diags;
-    CompileRequest request{
-        .source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)}),
-        .stem = path.stem().string(),
-        .roots = {path.parent_path()}};
+    CompileRequest request = request_for(path);
     request.spirv.optimise = optimise;
     request.optimise_ir = optimise != target::Optimise::none;
     auto out = compile_material(request, files, target::embedded_library(), diags);
@@ -74,6 +78,22 @@ TEST_P(Sample, SameBytesTwice) { EXPECT_EQ(compile(GetParam()).files, compile(Ge
 
 INSTANTIATE_TEST_SUITE_P(Materials, Sample, testing::ValuesIn(samples()),
                          [](const auto& sample) { return sample.param.stem().string(); });
+
+// Instructions follow the versions of glslang and SPIRV-Tools; texture reads and interpolants do not.
+std::string without_instructions(const std::string& explained) {
+    static const std::regex kColumn("(\n.{51}) +(-?\\d+ \\(\\d+ - -?\\d+\\)|\\d+)");
+    return std::regex_replace(explained, kColumn, "$1 ...");
+}
+
+TEST(Samples, OneIsExplained) {
+    RealFiles files;
+    Diags diags;
+    fs::path path = test::source_dir() / "materials/noise.json";
+    auto text = explain_material(request_for(path), files, target::embedded_library(), diags);
+    ASSERT_TRUE(text) << render(diags);
+    EXPECT_EQ(text, explain_material(request_for(path), files, target::embedded_library(), diags));
+    test::expect_golden("golden/noise/explain.txt", without_instructions(*text));
+}
 
 TEST(Samples, EveryLayerKindHasOne) {
     std::set<std::string> stems;

@@ -1,0 +1,146 @@
+#include "explain.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "opt/optimise.hpp"
+#include "stages.hpp"
+
+namespace sg {
+namespace {
+
+using ir::ValueId;
+
+constexpr std::size_t kMargin = 72;  // where the remarks begin, unless a line is longer
+
+// ---- what became of each line ----
+
+// Why nothing needs a value any more: the rule, and the line on which it was applied.
+struct Blame {
+    std::string_view rule;
+    std::size_t at = 0;
+};
+
+class Remarks {
+public:
+    Remarks(const ir::Module& before, const opt::Log& log) : log_(log), uses_(before.values.size()), blame_(before.values.size()) {
+        for (const opt::RuleUse& use : log.uses) uses_[use.before.index].push_back(use.rule);
+        for (std::size_t i = before.values.size(); i-- > 0;) {
+            Blame blame = uses_[i].empty() ? blame_[i] : Blame{uses_[i].front(), i};
+            if (blame.rule.empty()) continue;
+            for (ValueId operand : before.values[i].operands) blame_[operand.index] = blame;
+        }
+    }
+
+    [[nodiscard]] std::string before(std::size_t i) const {
+        ValueId after = log_.after[i];
+        std::string by = fmt::format("{}", fmt::join(uses_[i], ", "));
+        if (!after.valid()) {
+            if (!by.empty()) return "gone: " + by;
+            const Blame& blame = blame_[i];
+            return blame.rule.empty() ? "gone: nothing needs it" : fmt::format("gone: {} of %{}", blame.rule, blame.at);
+        }
+        std::string out = fmt::format("now %{}", after.index);
+        if (!by.empty()) return fmt::format("{}: {}", out, by);
+        std::size_t origin = log_.origins[after.index].before.index;
+        return origin == i ? out : fmt::format("{}: the same as %{}", out, origin);
+    }
+
+    [[nodiscard]] std::string after(std::size_t i) const {
+        const opt::Origin& origin = log_.origins[i];
+        std::string out = fmt::format("was %{}", origin.before.index);
+        return origin.rule.empty() ? out : fmt::format("{}: {}", out, origin.rule);
+    }
+
+private:
+    const opt::Log& log_;
+    std::vector<std::vector<std::string_view>> uses_;
+    std::vector<Blame> blame_;
+};
+
+// The module's text with a remark behind each value.
+template <class Remark>
+std::string annotated(const ir::Module& module, Remark remark) {
+    std::istringstream lines(ir::print(module));
+    std::string out;
+    std::size_t value = 0;
+    for (std::string line; std::getline(lines, line);) {
+        out += line.starts_with('%') ? fmt::format("{:<{}}  # {}\n", line, kMargin, remark(value++)) : line + "\n";
+    }
+    return out;
+}
+
+// ---- what each layer costs ----
+
+class Costs {
+public:
+    Costs(material::CheckedMaterial material, const CompileRequest& request, const target::ShaderLibrary& library)
+        : material_(std::move(material)), request_(request), library_(library), whole_(measured()) {}
+
+    std::string text() {
+        std::string out = fmt::format("{:<32} {:<18}", "layer", "kind");
+        for (std::string_view name : material::kCostNames) out += fmt::format(" {:>16}", name);
+        out += fmt::format("\n{:<51}", "(the whole shader)");
+        for (std::uint32_t cost : whole_) out += fmt::format(" {:>16}", cost);
+        rows_ = out + "\n";
+        for (auto& stage : material_.stages) layers(stage, 0);
+        return rows_;
+    }
+
+private:
+    [[nodiscard]] ForwardCost measured() const {
+        ir::Module module = material::lower(material_);
+        if (request_.optimise_ir) module = opt::optimise(module, request_.skipped_rule);
+        emit::MaterialInterface interface = emit::material_interface(module, group_samplers(material_).group);
+        return forward_cost(module, interface, request_.stem, library_, request_.spirv);
+    }
+
+    // Takes each layer out, measures, and puts it back.
+    void layers(std::vector<material::CheckedLayer>& list, std::size_t depth) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            auto at = list.begin() + static_cast<std::ptrdiff_t>(i);
+            material::CheckedLayer layer = std::move(*at);
+            list.erase(at);
+            row(layer, depth, measured());
+            list.insert(list.begin() + static_cast<std::ptrdiff_t>(i), std::move(layer));
+            layers(list[i].group, depth + 1);
+        }
+    }
+
+    void row(const material::CheckedLayer& layer, std::size_t depth, const ForwardCost& without) {
+        std::string name = std::string(2 * depth, ' ') + printable(layer.id);
+        rows_ += fmt::format("{:<32} {:<18}", name, layer.kind ? layer.kind->name : "group");
+        for (std::size_t k = 0; k < whole_.size(); ++k) {
+            std::int64_t costs = std::int64_t{whole_[k]} - without[k];
+            rows_ += fmt::format(" {:>16}", fmt::format("{} ({} - {})", costs, whole_[k], without[k]));
+        }
+        rows_ += "\n";
+    }
+
+    material::CheckedMaterial material_;
+    const CompileRequest& request_;
+    const target::ShaderLibrary& library_;
+    ForwardCost whole_;
+    std::string rows_;
+};
+
+}  // namespace
+
+std::optional<std::string> explain_material(const CompileRequest& request, Files& files,
+                                            const target::ShaderLibrary& library, Diags& diags) {
+    auto checked = read_and_check(request.source, {request.roots}, files, diags);
+    if (!checked) return std::nullopt;
+    ir::Module before = material::lower(*checked);
+    opt::Log log;
+    ir::Module after = opt::optimise(before, request.skipped_rule, &log);
+    Remarks remarks(before, log);
+    std::string out = fmt::format("# Before the optimiser: {} values\n\n", before.values.size());
+    out += annotated(before, [&](std::size_t i) { return remarks.before(i); });
+    out += fmt::format("\n# After it: {} values\n\n", after.values.size());
+    out += annotated(after, [&](std::size_t i) { return remarks.after(i); });
+    out += "\n# What each layer costs the forward fragment shader (with all layers - without this one)\n\n";
+    return out + Costs(std::move(*checked), request, library).text();
+}
+
+}  // namespace sg

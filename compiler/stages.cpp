@@ -1,0 +1,69 @@
+#include "stages.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "base/ice.hpp"
+#include "json/json.hpp"
+#include "opt/optimise.hpp"
+
+namespace sg {
+
+std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots, Files& files,
+                                                        Diags& diags) {
+    std::optional<json::Document> document = json::parse(source, diags);
+    if (!document) return std::nullopt;
+    std::size_t before = diags.error_count();
+    material::Material read = material::read(*document, diags);
+    std::optional<material::CheckedMaterial> checked = material::check(read, files, roots, diags);
+    return diags.error_count() == before ? std::move(checked) : std::nullopt;
+}
+
+SamplerGroups group_samplers(const material::CheckedMaterial& material) {
+    SamplerGroups out;
+    for (const material::CheckedTexture& texture : material.textures) {
+        auto it = std::find(out.settings.begin(), out.settings.end(), texture.sampler);
+        out.group.push_back(static_cast<std::uint32_t>(it - out.settings.begin()));
+        if (it == out.settings.end()) out.settings.push_back(texture.sampler);
+    }
+    return out;
+}
+
+target::Words to_spirv(const std::string& text, const std::string& name, target::Stage stage,
+                       const target::ShaderLibrary& library, const target::SpirvOptions& options) {
+    std::string fault;
+    std::optional<target::Words> words = target::compile_glsl(text, name, stage, library, options, fault);
+    if (!words) SG_UNREACHABLE(fmt::format("generated GLSL does not compile: {}\n{}", fault, text));
+    return std::move(*words);
+}
+
+ForwardCost forward_cost(const emit::Shaders& shaders, const target::Words& fragment) {
+    std::size_t numbers = 0;
+    for (const emit::Varying& varying : shaders.interface.varyings) {
+        numbers += static_cast<std::size_t>(emit::vertex_input(varying).glsl_type.back() - '0');  // "vec3"
+    }
+    return {static_cast<std::uint32_t>(target::instruction_count(fragment)), shaders.texture_reads,
+            static_cast<std::uint32_t>(numbers)};
+}
+
+ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface, const std::string& stem,
+                         const target::ShaderLibrary& library, const target::SpirvOptions& options) {
+    const emit::EntryPoint& entry = *emit::find_entry_point("forward");
+    emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
+    return forward_cost(shaders, to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment, library, options));
+}
+
+void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who, const SourcePtr& source,
+                    Diags& diags) {
+    constexpr std::string_view kThings[] = {"instructions", "texture reads", "numbers from the vertex stage"};
+    for (std::size_t i = 0; i < cost.size(); ++i) {
+        const auto& limit = budget[i];
+        if (!limit || cost[i] <= limit->value) continue;
+        material::At at = limit->at.pointer.empty() ? material::At{{0, 1}, ""} : limit->at;
+        diags.error(Code::over_budget, {source, at.span, at.pointer},
+                    fmt::format("the forward shader takes {} {}, {} {}", cost[i], kThings[i], who, limit->value));
+    }
+}
+
+}  // namespace sg
