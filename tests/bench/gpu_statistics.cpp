@@ -1,10 +1,10 @@
 #include "gpu_statistics.hpp"
 
-#include <vulkan/vulkan.h>
-
 #include <array>
 #include <string_view>
 #include <vector>
+
+#include "gpu_device.hpp"
 
 namespace sg::bench {
 namespace {
@@ -89,12 +89,14 @@ VkPipeline make_pipeline(VkDevice device, std::span<const std::uint32_t> words) 
     return pipeline;
 }
 
-std::vector<VkPipelineExecutableStatisticKHR> statistics_of(VkDevice device, VkPipeline pipeline) {
+std::vector<VkPipelineExecutableStatisticKHR> statistics_of(VkDevice device, VkPipeline pipeline,
+                                                            std::uint32_t executable) {
     auto get = reinterpret_cast<PFN_vkGetPipelineExecutableStatisticsKHR>(
         vkGetDeviceProcAddr(device, "vkGetPipelineExecutableStatisticsKHR"));
     VkPipelineExecutableInfoKHR which{};
     which.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR;
     which.pipeline = pipeline;
+    which.executableIndex = executable;
     std::uint32_t count = 0;
     get(device, &which, &count, nullptr);
     VkPipelineExecutableStatisticKHR blank{};
@@ -104,21 +106,54 @@ std::vector<VkPipelineExecutableStatisticKHR> statistics_of(VkDevice device, VkP
     return out;
 }
 
+// Which of the pipeline's programs belongs to the stage.
+std::optional<std::uint32_t> executable_of(VkDevice device, VkPipeline pipeline,
+                                           VkShaderStageFlagBits stage) {
+    auto get = reinterpret_cast<PFN_vkGetPipelineExecutablePropertiesKHR>(
+        vkGetDeviceProcAddr(device, "vkGetPipelineExecutablePropertiesKHR"));
+    VkPipelineInfoKHR which{};
+    which.sType = VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR;
+    which.pipeline = pipeline;
+    std::uint32_t count = 0;
+    get(device, &which, &count, nullptr);
+    VkPipelineExecutablePropertiesKHR blank{};
+    blank.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR;
+    std::vector<VkPipelineExecutablePropertiesKHR> all(count, blank);
+    get(device, &which, &count, all.data());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if ((all[i].stages & stage) != 0) return i;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<GpuStatistics> gpu_statistics(std::span<const std::uint32_t> words) {
+VkDevice gpu_device() {
     static const VkInstance instance = make_instance();
     static const VkDevice device = instance == VK_NULL_HANDLE ? VK_NULL_HANDLE : make_device(instance);
-    if (device == VK_NULL_HANDLE) return std::nullopt;
-    const VkPipeline pipeline = make_pipeline(device, words);
-    if (pipeline == VK_NULL_HANDLE) return std::nullopt;
+    return device;
+}
+
+std::optional<GpuStatistics> pipeline_statistics(VkDevice device, VkPipeline pipeline,
+                                                 VkShaderStageFlagBits stage) {
+    const auto executable = executable_of(device, pipeline, stage);
+    if (!executable) return std::nullopt;
     GpuStatistics out;
-    for (const auto& statistic : statistics_of(device, pipeline)) {
+    for (const auto& statistic : statistics_of(device, pipeline, *executable)) {
         const std::string_view name = statistic.name;
         if (name == "Instructions") out.instructions = statistic.value.u64;
         if (name == "Inverse Throughput") out.inverse_throughput = statistic.value.u64;
+        if (name == "VGPRs") out.vector_registers = statistic.value.u64;
     }
     return out;
+}
+
+std::optional<GpuStatistics> gpu_statistics(std::span<const std::uint32_t> words) {
+    const VkDevice device = gpu_device();
+    if (device == VK_NULL_HANDLE) return std::nullopt;
+    const VkPipeline pipeline = make_pipeline(device, words);
+    if (pipeline == VK_NULL_HANDLE) return std::nullopt;
+    return pipeline_statistics(device, pipeline, VK_SHADER_STAGE_COMPUTE_BIT);
 }
 
 }  // namespace sg::bench

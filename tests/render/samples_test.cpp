@@ -59,15 +59,17 @@ std::size_t covered_count(const runtime::Picture& picture) {
 // What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the
 // square of (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of
 // 2^-24 there, doubled by the square, are relative to a^2.
-// The smallest roughness that a number, or a mix of two of them, can give.
-double least_roughness(const nlohmann::json& written) {
+// The smallest roughness that a number, a parameter at its default, or a mix of two of them, can give.
+double least_roughness(const nlohmann::json& material, const nlohmann::json& written) {
     if (written.is_number()) return written.get<double>();
-    return std::min(least_roughness(written.at("a")), least_roughness(written.at("b")));
+    if (written.is_string()) return material.at("parameters").at(written.get<std::string>().substr(1)).at("default").get<double>();
+    return std::min(least_roughness(material, written.at("a")), least_roughness(material, written.at("b")));
 }
 
 double limit(const std::string& json, const std::string& view) {
     if (view != "lit") return 1e-5;
-    const double roughness = least_roughness(nlohmann::json::parse(json)["surface"].value("roughness", nlohmann::json(0.5)));
+    const nlohmann::json material = nlohmann::json::parse(json);
+    const double roughness = least_roughness(material, material.at("surface").value("roughness", nlohmann::json(0.5)));
     return std::max(1e-5, 8 * std::ldexp(1, -24) / std::pow(roughness, 4));
 }
 
