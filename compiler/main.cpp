@@ -16,6 +16,7 @@
 #include "emit/glsl.hpp"
 #include "explain.hpp"
 #include "kinds.hpp"
+#include "outputs.hpp"
 #include "schema.hpp"
 
 namespace {
@@ -114,6 +115,8 @@ int run_task(const Options& options, Task task) {
     sg::RealFiles files;
     sg::target::ShaderLibrary library = sg::target::embedded_library();
     sg::Diags diags;
+    sg::Outputs outputs(files);
+    for (const std::string& file : options.files) outputs.add_input(file);
     for (const std::string& file : options.files) {
         sg::SourcePtr source = read_source(file, options, files, diags);
         if (!source) continue;
@@ -131,7 +134,7 @@ int run_task(const Options& options, Task task) {
         FileList out;
         add_emitted(*compiled, request.stem, options, out);
         for (auto& [name, bytes] : compiled->files) out.emplace_back(fs::path(options.out_dir) / name, std::move(bytes));
-        sg::write_or_report(files, out, diags);
+        if (outputs.claim(source->name, out, diags)) sg::write_or_report(files, out, diags);
     }
     print_diags(diags, options);
     return diags.exit_code();

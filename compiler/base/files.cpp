@@ -35,7 +35,8 @@ bool RealFiles::exists(const fs::path& path) {
 
 fs::path RealFiles::canonical(const fs::path& path) {
     std::error_code ec;
-    fs::path result = fs::weakly_canonical(path, ec);
+    // Absolute first: a relative path that does not exist yet would stay relative, and change once it exists.
+    fs::path result = fs::weakly_canonical(fs::absolute(path, ec), ec);
     return ec ? path.lexically_normal() : result;
 }
 

@@ -104,6 +104,20 @@ TEST_F(Cli, OneBadFileDoesNotStopTheOthers) {
     EXPECT_TRUE(fs::exists(root_ / "one/out/normal_map.json"));
 }
 
+TEST_F(Cli, NothingIsOverwrittenThatWasNotAsked) {
+    fs::path one = root_ / "one";
+    std::string before = test::read_file(one / "materials/normal_map.json");
+    Outcome out = run(one, "compile materials/normal_map.json -o materials");
+    EXPECT_EQ(out.exit_code, 1);
+    EXPECT_EQ(out.text, "error: 'materials/normal_map.json' would write 'materials/normal_map.json', which is an input; choose another folder with -o [SG1305]\n");
+    EXPECT_EQ(test::read_file(one / "materials/normal_map.json"), before);
+    EXPECT_FALSE(fs::exists(one / "materials/normal_map.forward.vert.spv"));
+    fs::copy(one / "materials", one / "other", fs::copy_options::recursive);
+    out = run(one, "compile materials/normal_map.json other/normal_map.json -o out");
+    EXPECT_EQ(out.exit_code, 1);
+    EXPECT_NE(out.text.find("'other/normal_map.json' would write 'out/normal_map.forward.vert.spv', as 'materials/normal_map.json' does"), std::string::npos) << out.text;
+}
+
 TEST_F(Cli, ExitCodes) {
     fs::path one = root_ / "one";
     EXPECT_EQ(run(one, "").exit_code, 2);
