@@ -19,7 +19,9 @@ std::string_view word(material::Wrap wrap) {
     constexpr std::string_view kWords[] = {"repeat", "clamp", "mirror"};
     return kWords[static_cast<std::size_t>(wrap)];
 }
-std::string_view word(material::Filter filter) { return filter == material::Filter::nearest ? "nearest" : "linear"; }
+std::string_view word(material::Filter filter) {
+    return filter == material::Filter::nearest ? "nearest" : "linear";
+}
 std::string_view word(material::TwoSided two_sided) {
     constexpr std::string_view kWords[] = {"off", "mirror", "flip"};
     return kWords[static_cast<std::size_t>(two_sided)];
@@ -51,17 +53,22 @@ Json slot_json(const target::Slot& slot, const target::Target& target) {
 
 Json text_json(const std::string& file, const CrossFile& text) {
     const target::CrossText& cross = text.cross;
-    Json out = {{"target", text.target->name}, {"file", file}, {"hash", content_hash(cross.text)}, {"function", cross.function}};
+    Json out = {{"target", text.target->name},
+                {"file", file},
+                {"hash", content_hash(cross.text)},
+                {"function", cross.function}};
     out["bindings"] = Json::array();
     for (const target::Slot& slot : cross.slots) out["bindings"].push_back(slot_json(slot, *text.target));
     if (text.stage != target::Stage::vertex) return out;
     const char* key = text.target->language == target::Language::hlsl ? "semantic" : "variable";
     out["vertex_inputs"] = Json::array();
-    for (const target::Attribute& a : cross.attributes) out["vertex_inputs"].push_back({{"location", a.location}, {key, a.name}});
+    for (const target::Attribute& a : cross.attributes)
+        out["vertex_inputs"].push_back({{"location", a.location}, {key, a.name}});
     return out;
 }
 
-Json stage_json(const ArtefactInput& input, const CompiledEntry& entry, target::Stage stage, NamedFiles& files) {
+Json stage_json(const ArtefactInput& input, const CompiledEntry& entry, target::Stage stage,
+                NamedFiles& files) {
     bool vertex = stage == target::Stage::vertex;
     const target::Words& words = vertex ? entry.vertex : entry.fragment;
     std::string stem = fmt::format("{}.{}.{}", input.stem, entry.entry->name, vertex ? "vert" : "frag");
@@ -88,7 +95,11 @@ Json bindings_json(const emit::EntryInterface& interface) {
         Json stages = Json::array();
         if (b.in_vertex) stages.push_back("vert");
         if (b.in_fragment) stages.push_back("frag");
-        out.push_back({{"set", b.set}, {"binding", b.binding}, {"kind", word(b.kind)}, {"name", b.name}, {"stages", stages}});
+        out.push_back({{"set", b.set},
+                       {"binding", b.binding},
+                       {"kind", word(b.kind)},
+                       {"name", b.name},
+                       {"stages", stages}});
     }
     return out;
 }
@@ -103,18 +114,21 @@ Json vertex_inputs_json(const emit::EntryInterface& interface) {
 
 Json entry_json(const ArtefactInput& input, const CompiledEntry& entry, NamedFiles& files) {
     Json stages = Json::array();
-    for (auto stage : {target::Stage::vertex, target::Stage::fragment}) stages.push_back(stage_json(input, entry, stage, files));
+    for (auto stage : {target::Stage::vertex, target::Stage::fragment})
+        stages.push_back(stage_json(input, entry, stage, files));
     Json views = Json::array();
     for (const emit::View& v : entry.shaders.interface.views) {
-        views.push_back({{"name", v.name}, {"number", v.number}, {"components", v.components}, {"kind", v.kind}});
+        views.push_back(
+            {{"name", v.name}, {"number", v.number}, {"components", v.components}, {"kind", v.kind}});
     }
-    return {{"name", entry.entry->name},
-            {"stages", stages},
-            {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
-            {"bindings", bindings_json(entry.shaders.interface)},
-            {"outputs", Json::array({{{"name", entry.entry->output}, {"location", 0}, {"format", "float4"}}})},
-            {"texture_reads", entry.shaders.texture_reads},
-            {"views", views}};
+    return {
+        {"name", entry.entry->name},
+        {"stages", stages},
+        {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
+        {"bindings", bindings_json(entry.shaders.interface)},
+        {"outputs", Json::array({{{"name", entry.entry->output}, {"location", 0}, {"format", "float4"}}})},
+        {"texture_reads", entry.shaders.texture_reads},
+        {"views", views}};
 }
 
 Json parameter_block_json(const ArtefactInput& input) {
@@ -122,7 +136,8 @@ Json parameter_block_json(const ArtefactInput& input) {
     for (std::size_t i = 0; i < input.material->parameters.size(); ++i) {
         const material::CheckedParameter& p = input.material->parameters[i];
         Json fallback = Json::array();
-        for (std::size_t k = 0; k < ir::component_count(material::ir_type(p.type)); ++k) fallback.push_back(p.fallback[k]);
+        for (std::size_t k = 0; k < ir::component_count(material::ir_type(p.type)); ++k)
+            fallback.push_back(p.fallback[k]);
         Json row = {{"name", p.name},
                     {"type", material::parameter_type_name(p.type)},
                     {"offset", input.interface->parameters[i].offset},
@@ -170,7 +185,9 @@ Json samplers_json(const ArtefactInput& input) {
 
 }  // namespace
 
-std::string_view generator_name() { return "surfgrad " SURFGRAD_VERSION; }
+std::string_view generator_name() {
+    return "surfgrad " SURFGRAD_VERSION;
+}
 
 std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactInput& input) {
     NamedFiles files;

@@ -18,11 +18,14 @@ std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const 
                                            const target::ShaderLibrary& library, Diags& diags) {
     emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
     std::string name = fmt::format("{}.{}", request.stem, entry.name);
-    target::Words vertex = to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
-    target::Words fragment = to_spirv(shaders.fragment, name + ".frag", target::Stage::fragment, library, request.spirv);
+    target::Words vertex =
+        to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
+    target::Words fragment =
+        to_spirv(shaders.fragment, name + ".frag", target::Stage::fragment, library, request.spirv);
     auto texts = cross_entry(shaders, name, request.targets, interface, library, diags);
     if (!texts) return std::nullopt;
-    return CompiledEntry{&entry, std::move(shaders), std::move(vertex), std::move(fragment), std::move(*texts)};
+    return CompiledEntry{&entry, std::move(shaders), std::move(vertex), std::move(fragment),
+                         std::move(*texts)};
 }
 
 bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
@@ -35,7 +38,8 @@ bool has_limits(const material::Budget& budget) {
 }
 
 bool ships(const CompileRequest& request, target::Language language) {
-    return std::any_of(request.targets.begin(), request.targets.end(), [&](const target::Target* t) { return t->language == language; });
+    return std::any_of(request.targets.begin(), request.targets.end(),
+                       [&](const target::Target* t) { return t->language == language; });
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ bool check_material(const CompileRequest& request, Files& files, Diags& diags) {
 
 std::optional<Compiled> compile_material(const CompileRequest& request, Files& files,
                                          const target::ShaderLibrary& library, Diags& diags) {
-    std::optional<material::CheckedMaterial> checked = read_and_check(request.source, {request.roots}, files, diags);
+    std::optional<material::CheckedMaterial> checked =
+        read_and_check(request.source, {request.roots}, files, diags);
     if (!checked) return std::nullopt;
 
     std::size_t before = diags.error_count();
@@ -59,7 +64,8 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     std::vector<CompiledEntry> entries;
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
         if (!wanted(request, entry)) continue;
-        std::optional<CompiledEntry> compiled = compile_entry(request, entry, optimised, interface, library, diags);
+        std::optional<CompiledEntry> compiled =
+            compile_entry(request, entry, optimised, interface, library, diags);
         if (!compiled) continue;
         std::string name(entry.name);
         out.glsl.push_back({name + ".vert", compiled->shaders.vertex});
@@ -69,10 +75,12 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
         entries.push_back(std::move(*compiled));
     }
     if (has_limits(checked->budget) || has_limits(request.budget)) {
-        auto forward = std::find_if(entries.begin(), entries.end(), [](const CompiledEntry& e) { return e.entry->name == "forward"; });
+        auto forward = std::find_if(entries.begin(), entries.end(),
+                                    [](const CompiledEntry& e) { return e.entry->name == "forward"; });
         // It counts for every build, also one that leaves the forward entry out.
-        ForwardCost cost = forward != entries.end() ? forward_cost(forward->shaders, forward->fragment)
-                                                    : forward_cost(optimised, interface, request.stem, library, request.spirv);
+        ForwardCost cost = forward != entries.end()
+                               ? forward_cost(forward->shaders, forward->fragment)
+                               : forward_cost(optimised, interface, request.stem, library, request.spirv);
         hold_to_budget(cost, checked->budget, "'budget' allows", request.source, diags);
         hold_to_budget(cost, request.budget, "--budget allows", request.source, diags);
     }

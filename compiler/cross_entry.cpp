@@ -12,15 +12,18 @@ namespace {
 // One shader as SPIR-V with names and whole functions, once per prelude that a target puts in front.
 class ShaderSource {
 public:
-    ShaderSource(const std::string& text, std::string name, target::Stage stage, const target::ShaderLibrary& library)
+    ShaderSource(const std::string& text, std::string name, target::Stage stage,
+                 const target::ShaderLibrary& library)
         : text_(text), name_(std::move(name)), stage_(stage), library_(library) {}
 
     const target::Words& words(const target::Target& target) {
         auto [at, fresh] = compiled_.try_emplace(target.prelude);
         if (fresh) {
             std::string fault, text = target::with_prelude(text_, target);
-            auto words = target::compile_glsl(text, name_, stage_, library_, {.optimise = target::Optimise::none}, fault);
-            if (!words) SG_UNREACHABLE(fmt::format("GLSL for {} does not compile: {}\n{}", target.name, fault, text));
+            auto words = target::compile_glsl(text, name_, stage_, library_,
+                                              {.optimise = target::Optimise::none}, fault);
+            if (!words)
+                SG_UNREACHABLE(fmt::format("GLSL for {} does not compile: {}\n{}", target.name, fault, text));
             at->second = std::move(*words);
         }
         return at->second;
@@ -52,9 +55,11 @@ std::optional<std::vector<CrossFile>> cross_entry(const emit::Shaders& shaders, 
             std::string missing = target::missing_feature(source->plain_words(), *target);
             if (missing.empty()) {
                 const target::Words& words = source->words(*target);
-                out.push_back({source->stage(), target, target::cross_compile(words, source->stage(), *target, interface)});
+                out.push_back({source->stage(), target,
+                               target::cross_compile(words, source->stage(), *target, interface)});
             } else {
-                diags.error(Code::target_lacks, fmt::format("'{}' {}, which {} cannot express", name, missing, target->name));
+                diags.error(Code::target_lacks,
+                            fmt::format("'{}' {}, which {} cannot express", name, missing, target->name));
             }
         }
     }

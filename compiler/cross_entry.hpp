@@ -11,7 +11,8 @@
 
 namespace sg {
 
-// `name` is "brick.forward". Empty exactly when it added an error (target_lacks). Targets that are no text are left out.
+// `name` is "brick.forward". Empty exactly when it added an error (target_lacks). Targets that are no text
+// are left out.
 std::optional<std::vector<CrossFile>> cross_entry(const emit::Shaders& shaders, const std::string& name,
                                                   std::span<const target::Target* const> targets,
                                                   const emit::MaterialInterface& interface,

@@ -24,7 +24,8 @@ struct Blame {
 
 class Remarks {
 public:
-    Remarks(const ir::Module& before, const opt::Log& log) : log_(log), uses_(before.values.size()), blame_(before.values.size()) {
+    Remarks(const ir::Module& before, const opt::Log& log)
+        : log_(log), uses_(before.values.size()), blame_(before.values.size()) {
         for (const opt::RuleUse& use : log.uses) uses_[use.before.index].push_back(use.rule);
         for (std::size_t i = before.values.size(); i-- > 0;) {
             Blame blame = uses_[i].empty() ? blame_[i] : Blame{uses_[i].front(), i};
@@ -39,7 +40,8 @@ public:
         if (!after.valid()) {
             if (!by.empty()) return "gone: " + by;
             const Blame& blame = blame_[i];
-            return blame.rule.empty() ? "gone: nothing needs it" : fmt::format("gone: {} of %{}", blame.rule, blame.at);
+            return blame.rule.empty() ? "gone: nothing needs it"
+                                      : fmt::format("gone: {} of %{}", blame.rule, blame.at);
         }
         std::string out = fmt::format("now %{}", after.index);
         if (!by.empty()) return fmt::format("{}: {}", out, by);
@@ -66,7 +68,8 @@ std::string annotated(const ir::Module& module, Remark remark) {
     std::string out;
     std::size_t value = 0;
     for (std::string line; std::getline(lines, line);) {
-        out += line.starts_with('%') ? fmt::format("{:<{}}  # {}\n", line, kMargin, remark(value++)) : line + "\n";
+        out += line.starts_with('%') ? fmt::format("{:<{}}  # {}\n", line, kMargin, remark(value++))
+                                     : line + "\n";
     }
     return out;
 }
@@ -75,7 +78,8 @@ std::string annotated(const ir::Module& module, Remark remark) {
 
 class Costs {
 public:
-    Costs(material::CheckedMaterial material, const CompileRequest& request, const target::ShaderLibrary& library)
+    Costs(material::CheckedMaterial material, const CompileRequest& request,
+          const target::ShaderLibrary& library)
         : material_(std::move(material)), request_(request), library_(library), whole_(measured()) {}
 
     std::string text() {

@@ -1,4 +1,5 @@
-// What the compiler did with a material and what each layer costs, as text for people: same input, same bytes.
+// What the compiler did with a material and what each layer costs, as text for people: same input, same
+// bytes.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,8 @@
 
 namespace sg {
 
-// The IR before and after the optimiser with the rule behind each line that changed, then a table of layers: what the
-// forward fragment shader costs less when a layer is left out. Empty exactly when it added an error.
+// The IR before and after the optimiser with the rule behind each line that changed, then a table of layers:
+// what the forward fragment shader costs less when a layer is left out. Empty exactly when it added an error.
 std::optional<std::string> explain_material(const CompileRequest& request, Files& files,
                                             const target::ShaderLibrary& library, Diags& diags);
 

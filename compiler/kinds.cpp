@@ -12,7 +12,9 @@ namespace {
 using layers::Field;
 using layers::FieldKind;
 
-std::string list(std::span<const std::string_view> words) { return fmt::format("`{}`", fmt::join(words, "`, `")); }
+std::string list(std::span<const std::string_view> words) {
+    return fmt::format("`{}`", fmt::join(words, "`, `"));
+}
 
 // What may stand there.
 std::string values(const Field& field) {
@@ -66,7 +68,8 @@ std::string table(std::span<const Field> fields) {
     std::string out = "\n| field | what | values | default |\n|---|---|---|---|\n";
     for (const Field& field : fields) {
         std::string unit = field.unit.empty() ? "" : fmt::format("; {}", field.unit);
-        out += fmt::format("| `{}` | {} | {}{} | {} |\n", field.name, field.doc, values(field), unit, fallback(field));
+        out += fmt::format("| `{}` | {} | {}{} | {} |\n", field.name, field.doc, values(field), unit,
+                           fallback(field));
     }
     return out;
 }
@@ -89,7 +92,8 @@ std::string rows(std::span<const Field> fields) {
 
 std::string kinds_text() {
     std::string out = "every layer, and a group of layers:\n" + rows(layers::common_fields());
-    for (const layers::LayerKind* kind : layers::all_kinds()) out += fmt::format("\n{}: {}\n{}", kind->name, kind->doc, rows(kind->fields));
+    for (const layers::LayerKind* kind : layers::all_kinds())
+        out += fmt::format("\n{}: {}\n{}", kind->name, kind->doc, rows(kind->fields));
     for (const layers::NodeKind& kind : layers::all_node_kinds()) {
         out += fmt::format("\nnode {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
     }
@@ -98,16 +102,22 @@ std::string kinds_text() {
 
 std::string kinds_markdown() {
     std::string out =
-        "# Layer kinds and node kinds\n\nMade from the compiler's tables (`make accept`); `surfgradc kinds` prints the same.\n\n"
-        "## Layers\n\nEvery layer, and a group (`\"kind\": \"group\", \"layers\": [...]`, which sums its layers and then counts as one), has:\n";
+        "# Layer kinds and node kinds\n\nMade from the compiler's tables (`make accept`); `surfgradc kinds` "
+        "prints the same.\n\n"
+        "## Layers\n\nEvery layer, and a group (`\"kind\": \"group\", \"layers\": [...]`, which sums its "
+        "layers and then counts as one), has:\n";
     out += table(layers::common_fields());
     for (const layers::LayerKind* kind : layers::all_kinds()) {
-        out += fmt::format("\n### `{}`\n\n{}; sample: [{}.json]({}.json).\n{}", kind->name, kind->doc, kind->name, kind->name, table(kind->fields));
+        out += fmt::format("\n### `{}`\n\n{}; sample: [{}.json]({}.json).\n{}", kind->name, kind->doc,
+                           kind->name, kind->name, table(kind->fields));
     }
-    out += "\n## Nodes\n\nA node is `{ \"op\": KIND, ... }`, under a name in `nodes` or in the place where its value is used.\n";
+    out +=
+        "\n## Nodes\n\nA node is `{ \"op\": KIND, ... }`, under a name in `nodes` or in the place where its "
+        "value is used.\n";
     for (const layers::NodeKind& kind : layers::all_node_kinds()) {
         std::string_view result = kind.result == ir::Type::Color ? "a colour" : "a number";
-        out += fmt::format("\n### `{}`\n\n{}; gives {}.\n{}", kind.name, kind.doc, result, table(kind.fields));
+        out +=
+            fmt::format("\n### `{}`\n\n{}; gives {}.\n{}", kind.name, kind.doc, result, table(kind.fields));
     }
     return out;
 }

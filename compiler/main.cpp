@@ -50,10 +50,12 @@ void print_diags(sg::Diags& diags, const Options& options) {
 }
 
 // The text of a file, or of standard input for "-".
-sg::SourcePtr read_source(const std::string& file, const Options& options, sg::Files& files, sg::Diags& diags) {
+sg::SourcePtr read_source(const std::string& file, const Options& options, sg::Files& files,
+                          sg::Diags& diags) {
     if (file == "-") {
         std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-        return std::make_shared<sg::Source>(sg::Source{options.name.empty() ? "stdin" : options.name, std::move(text)});
+        return std::make_shared<sg::Source>(
+            sg::Source{options.name.empty() ? "stdin" : options.name, std::move(text)});
     }
     std::optional<std::string> text = sg::read_or_report(files, file, diags);
     if (!text) return nullptr;
@@ -63,14 +65,18 @@ sg::SourcePtr read_source(const std::string& file, const Options& options, sg::F
 // "instructions=300" into the budget; "" or what is wrong with it.
 std::string set_limit(const std::string& word, sg::material::Budget& budget) {
     std::size_t equals = word.find('=');
-    auto name = std::find(sg::material::kCostNames.begin(), sg::material::kCostNames.end(), word.substr(0, equals));
+    auto name =
+        std::find(sg::material::kCostNames.begin(), sg::material::kCostNames.end(), word.substr(0, equals));
     std::uint32_t limit = 0;
     const char* end = word.data() + word.size();
-    auto number = equals == word.npos ? std::from_chars(end, end, limit) : std::from_chars(word.data() + equals + 1, end, limit);
+    auto number = equals == word.npos ? std::from_chars(end, end, limit)
+                                      : std::from_chars(word.data() + equals + 1, end, limit);
     if (name == sg::material::kCostNames.end() || number.ec != std::errc{} || number.ptr != end) {
-        return fmt::format("'{}' is no limit, expected {}=N", word, fmt::join(sg::material::kCostNames, "=N, "));
+        return fmt::format("'{}' is no limit, expected {}=N", word,
+                           fmt::join(sg::material::kCostNames, "=N, "));
     }
-    budget[static_cast<std::size_t>(name - sg::material::kCostNames.begin())] = sg::material::Located<std::uint32_t>{limit, {}};
+    budget[static_cast<std::size_t>(name - sg::material::kCostNames.begin())] =
+        sg::material::Located<std::uint32_t>{limit, {}};
     return "";
 }
 
@@ -93,13 +99,15 @@ sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, c
 using FileList = std::vector<std::pair<fs::path, std::string>>;
 
 // What --emit asks for, beside the artefact.
-void add_emitted(const sg::Compiled& compiled, const std::string& stem, const Options& options, FileList& out) {
+void add_emitted(const sg::Compiled& compiled, const std::string& stem, const Options& options,
+                 FileList& out) {
     fs::path dir(options.out_dir);
     for (const std::string& kind : options.emit) {
         if (kind == "ir") out.emplace_back(dir / (stem + ".ir"), compiled.ir);
         if (kind == "opt-ir") out.emplace_back(dir / (stem + ".opt.ir"), compiled.optimised_ir);
         if (kind == "glsl") {
-            for (const sg::NamedText& t : compiled.glsl) out.emplace_back(dir / fmt::format("{}.{}.glsl", stem, t.name), t.text);
+            for (const sg::NamedText& t : compiled.glsl)
+                out.emplace_back(dir / fmt::format("{}.{}.glsl", stem, t.name), t.text);
         }
         if (kind == "spvasm") {
             for (const sg::NamedText& t : compiled.spirv_assembly) {
@@ -133,7 +141,8 @@ int run_task(const Options& options, Task task) {
         if (!compiled) continue;
         FileList out;
         add_emitted(*compiled, request.stem, options, out);
-        for (auto& [name, bytes] : compiled->files) out.emplace_back(fs::path(options.out_dir) / name, std::move(bytes));
+        for (auto& [name, bytes] : compiled->files)
+            out.emplace_back(fs::path(options.out_dir) / name, std::move(bytes));
         if (outputs.claim(source->name, out, diags)) sg::write_or_report(files, out, diags);
     }
     print_diags(diags, options);
@@ -154,7 +163,8 @@ int run_codes() {
 
 void add_input_options(CLI::App& command, Options& options) {
     command.add_option("FILE", options.files, "material files; - reads standard input")->required();
-    command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")->type_name("DIR");
+    command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")
+        ->type_name("DIR");
     command.add_option("--name", options.name, "name of standard input in messages and of its files");
     command.add_option("--diagnostics", options.diagnostics, "form of messages")
         ->check(CLI::IsMember({"human", "json"}))
@@ -178,14 +188,18 @@ void add_compile_options(CLI::App& command, Options& options) {
     command.add_option("--emit", options.emit, "further texts to write: ir, opt-ir, glsl, spvasm")
         ->delimiter(',')
         ->check(CLI::IsMember({"ir", "opt-ir", "glsl", "spvasm"}));
-    command.add_option("--budget", options.budget, "fail where the forward shader costs more: instructions=N, texture_reads=N, interpolants=N")
+    command
+        .add_option(
+            "--budget", options.budget,
+            "fail where the forward shader costs more: instructions=N, texture_reads=N, interpolants=N")
         ->delimiter(',')
         ->check([](const std::string& word) {
             sg::material::Budget budget;
             return set_limit(word, budget);
         });
     auto* o = command.add_flag("-O", options.o, "optimise (default)");
-    auto* o0 = command.add_flag("--O0", options.o0, "do not optimise, neither the gradients nor the SPIR-V (also -O0)");
+    auto* o0 = command.add_flag("--O0", options.o0,
+                                "do not optimise, neither the gradients nor the SPIR-V (also -O0)");
     auto* os = command.add_flag("--Os", options.os, "as -O, and strip names from the SPIR-V (also -Os)");
     o0->excludes(os)->excludes(o);
     os->excludes(o);
@@ -213,10 +227,12 @@ int run(int argc, char** argv) {
     add_compile_options(*compile, options);
     CLI::App* check = app.add_subcommand("check", "report what is wrong with materials, write nothing");
     add_input_options(*check, options);
-    CLI::App* explain = app.add_subcommand("explain", "tell what the optimiser did and what each layer costs");
+    CLI::App* explain =
+        app.add_subcommand("explain", "tell what the optimiser did and what each layer costs");
     add_input_options(*explain, options);
     CLI::App* kinds = app.add_subcommand("kinds", "list the layer and node kinds and their fields");
-    CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema (draft-07) of materials, for editors");
+    CLI::App* schema =
+        app.add_subcommand("schema", "print the JSON Schema (draft-07) of materials, for editors");
     app.add_subcommand("codes", "list the diagnostic codes with cause and mend");
     try {
         app.parse(spelled_out(argc, argv));

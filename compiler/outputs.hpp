@@ -18,8 +18,8 @@ public:
 
     void add_input(const std::filesystem::path& path);
     // Whether all of these may be written for the material `owner`; adds errors (output_clash) where not.
-    bool claim(const std::string& owner, const std::vector<std::pair<std::filesystem::path, std::string>>& outputs,
-               Diags& diags);
+    bool claim(const std::string& owner,
+               const std::vector<std::pair<std::filesystem::path, std::string>>& outputs, Diags& diags);
 
 private:
     Files& files_;

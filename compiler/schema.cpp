@@ -15,9 +15,15 @@ using Json = nlohmann::ordered_json;
 using layers::Field;
 using layers::FieldKind;
 
-Json reference(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
-Json number(double minimum, double maximum) { return {{"type", "number"}, {"minimum", minimum}, {"maximum", maximum}}; }
-Json numbers(std::size_t count, const Json& item) { return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}}; }
+Json reference(const std::string& name) {
+    return {{"$ref", "#/definitions/" + name}};
+}
+Json number(double minimum, double maximum) {
+    return {{"type", "number"}, {"minimum", minimum}, {"maximum", maximum}};
+}
+Json numbers(std::size_t count, const Json& item) {
+    return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
+}
 Json words(std::span<const std::string_view> choices) {
     Json list = Json::array();
     for (std::string_view word : choices) list.push_back(word);
@@ -42,11 +48,15 @@ Json value_of(const Field& field) {
         case FieldKind::integer:
             return {{"type", "integer"}, {"minimum", field.minimum}, {"maximum", field.maximum}};
         case FieldKind::number:
-            return {{"anyOf", {bounded, reference("parameter reference"), reference("node reference"), reference("node")}}};
+            return {{"anyOf",
+                     {bounded, reference("parameter reference"), reference("node reference"),
+                      reference("node")}}};
         case FieldKind::pair:
             return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter reference")}}};
         case FieldKind::color:
-            return {{"anyOf", {numbers(3, bounded), reference("parameter reference"), reference("node reference"), reference("node")}}};
+            return {{"anyOf",
+                     {numbers(3, bounded), reference("parameter reference"), reference("node reference"),
+                      reference("node")}}};
         case FieldKind::vector:
             return numbers(3, bounded);
         case FieldKind::direction:
@@ -61,7 +71,9 @@ Json described(const Field& field) {
     Json out = value_of(field);
     std::string unit = field.unit.empty() ? "" : fmt::format(" ({})", field.unit);
     out["description"] = std::string(field.doc) + unit;
-    if (field.required || field.kind == FieldKind::texture || field.kind == FieldKind::range || field.kind == FieldKind::direction) return out;
+    if (field.required || field.kind == FieldKind::texture || field.kind == FieldKind::range ||
+        field.kind == FieldKind::direction)
+        return out;
     if (field.kind == FieldKind::choice) {
         out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
     } else if (field.kind == FieldKind::vector) {
@@ -122,7 +134,8 @@ Json layer_definition() {
 Json node_definition() {
     Json any = Json::array();
     for (const layers::NodeKind& kind : layers::all_node_kinds()) any.push_back(node_schema(kind, false));
-    for (std::string_view name : {"texture", "texture_color"}) any.push_back(node_schema(*layers::find_node_kind(name), true));
+    for (std::string_view name : {"texture", "texture_color"})
+        any.push_back(node_schema(*layers::find_node_kind(name), true));
     return {{"anyOf", any}};
 }
 
@@ -130,12 +143,17 @@ Json uv_definition() {
     Json pair = {{"anyOf", {number(-10000, 10000), numbers(2, number(-10000, 10000))}}};
     Json speed = {{"anyOf", {number(-1000, 1000), numbers(2, number(-1000, 1000))}}};
     Json set = {{"type", "integer"}, {"minimum", 0}, {"maximum", 7}};
-    return {{"anyOf", {set, object({{"set", set}, {"scale", pair}, {"rotation", number(-3600, 3600)}, {"offset", pair}, {"speed", speed}})}}};
+    return {{"anyOf",
+             {set, object({{"set", set},
+                           {"scale", pair},
+                           {"rotation", number(-3600, 3600)},
+                           {"offset", pair},
+                           {"speed", speed}})}}};
 }
 
 Json texture_definition() {
-    constexpr std::string_view kGreen[] = {"up", "down"}, kSpace[] = {"linear", "srgb"}, kWrap[] = {"repeat", "clamp", "mirror"},
-                               kFilter[] = {"nearest", "linear"};
+    constexpr std::string_view kGreen[] = {"up", "down"}, kSpace[] = {"linear", "srgb"},
+                               kWrap[] = {"repeat", "clamp", "mirror"}, kFilter[] = {"nearest", "linear"};
     Json sampler = object({{"wrap", words(kWrap)},
                            {"wrap_s", words(kWrap)},
                            {"wrap_t", words(kWrap)},
@@ -154,7 +172,9 @@ Json texture_definition() {
 
 Json parameter_definition() {
     constexpr std::string_view kTypes[] = {"float", "vec2", "vec3", "vec4", "color"};
-    Json any = {{"anyOf", {{{"type", "number"}}, {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
+    Json any = {{"anyOf",
+                 {{{"type", "number"}},
+                  {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
     return object({{"type", words(kTypes)},
                    {"default", any},
                    {"range", numbers(2, {{"type", "number"}})},
@@ -166,7 +186,9 @@ Json parameter_definition() {
 Json surface_definition() {
     auto expression = [](std::size_t count, double maximum) {
         Json bounded = number(0, maximum);
-        return Json{{"anyOf", {count == 1 ? bounded : numbers(count, bounded), reference("parameter reference"), reference("node reference"), reference("node")}}};
+        return Json{{"anyOf",
+                     {count == 1 ? bounded : numbers(count, bounded), reference("parameter reference"),
+                      reference("node reference"), reference("node")}}};
     };
     constexpr std::string_view kSides[] = {"off", "mirror", "flip"};
     return object({{"base_color", expression(3, 1)},
@@ -189,7 +211,8 @@ Json budget_definition() {
 
 // An object whose keys are names.
 Json named(Json item) {
-    return {{"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", std::move(item)}};
+    return {
+        {"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", std::move(item)}};
 }
 
 }  // namespace
@@ -201,7 +224,9 @@ std::string schema_text() {
                         {"uv", uv_definition()},
                         {"node", node_definition()},
                         {"layer", layer_definition()}};
-    Json stage = object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}}, {"layers"});
+    Json stage =
+        object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}},
+               {"layers"});
     Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "surfgrad material"}};
     out.update(object({{"$schema", {{"type", "string"}}},
                        {"version", {{"const", material::kVersion}}},

@@ -5,8 +5,8 @@
 
 namespace sg {
 
-// What `surfgradc schema` prints: strict on unknown keys, with descriptions, defaults and ranges. What only the checker
-// knows (names that must be declared, cycles, files) is not in it.
+// What `surfgradc schema` prints: strict on unknown keys, with descriptions, defaults and ranges. What only
+// the checker knows (names that must be declared, cycles, files) is not in it.
 std::string schema_text();
 
 }  // namespace sg

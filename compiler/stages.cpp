@@ -10,8 +10,8 @@
 
 namespace sg {
 
-std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots, Files& files,
-                                                        Diags& diags) {
+std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots,
+                                                        Files& files, Diags& diags) {
     std::optional<json::Document> document = json::parse(source, diags);
     if (!document) return std::nullopt;
     std::size_t before = diags.error_count();
@@ -47,22 +47,25 @@ ForwardCost forward_cost(const emit::Shaders& shaders, const target::Words& frag
             static_cast<std::uint32_t>(numbers)};
 }
 
-ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface, const std::string& stem,
-                         const target::ShaderLibrary& library, const target::SpirvOptions& options) {
+ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface,
+                         const std::string& stem, const target::ShaderLibrary& library,
+                         const target::SpirvOptions& options) {
     const emit::EntryPoint& entry = *emit::find_entry_point("forward");
     emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
-    return forward_cost(shaders, to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment, library, options));
+    return forward_cost(shaders, to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment,
+                                          library, options));
 }
 
-void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who, const SourcePtr& source,
-                    Diags& diags) {
+void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who,
+                    const SourcePtr& source, Diags& diags) {
     constexpr std::string_view kThings[] = {"instructions", "texture reads", "numbers from the vertex stage"};
     for (std::size_t i = 0; i < cost.size(); ++i) {
         const auto& limit = budget[i];
         if (!limit || cost[i] <= limit->value) continue;
         material::At at = limit->at.pointer.empty() ? material::At{{0, 1}, ""} : limit->at;
-        diags.error(Code::over_budget, {source, at.span, at.pointer},
-                    fmt::format("the forward shader takes {} {}, {} {}", cost[i], kThings[i], who, limit->value));
+        diags.error(
+            Code::over_budget, {source, at.span, at.pointer},
+            fmt::format("the forward shader takes {} {}, {} {}", cost[i], kThings[i], who, limit->value));
     }
 }
 

@@ -14,8 +14,8 @@
 namespace sg {
 
 // JSON text to a material without faults. Empty exactly when it added an error.
-std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots, Files& files,
-                                                        Diags& diags);
+std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots,
+                                                        Files& files, Diags& diags);
 
 // Textures that sample alike share a sampler: the settings by group, and the group of each texture.
 struct SamplerGroups {
@@ -32,11 +32,13 @@ target::Words to_spirv(const std::string& text, const std::string& name, target:
 using ForwardCost = std::array<std::uint32_t, material::kCostNames.size()>;
 ForwardCost forward_cost(const emit::Shaders& shaders, const target::Words& fragment);
 // The same for a module with all its outputs.
-ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface, const std::string& stem,
-                         const target::ShaderLibrary& library, const target::SpirvOptions& options);
+ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface,
+                         const std::string& stem, const target::ShaderLibrary& library,
+                         const target::SpirvOptions& options);
 
-// An error for each limit that is exceeded, at the limit's place or, for one without a place, at the file's begin.
-void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who, const SourcePtr& source,
-                    Diags& diags);
+// An error for each limit that is exceeded, at the limit's place or, for one without a place, at the file's
+// begin.
+void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who,
+                    const SourcePtr& source, Diags& diags);
 
 }  // namespace sg

@@ -91,12 +91,10 @@ struct Compute::State {
                                          {2, kKinds[2], buffers.control.get()}};
         for (const BoundTexture& texture : textures) {
             auto next = static_cast<std::uint32_t>(out.size());
-            out.push_back({.binding = next,
-                           .kind = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
-                           .view = texture.image->view()});
-            out.push_back({.binding = next + 1,
-                           .kind = VK_DESCRIPTOR_TYPE_SAMPLER,
-                           .sampler = texture.sampler.get()});
+            out.push_back(
+                {.binding = next, .kind = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, .view = texture.image->view()});
+            out.push_back(
+                {.binding = next + 1, .kind = VK_DESCRIPTOR_TYPE_SAMPLER, .sampler = texture.sampler.get()});
         }
         return out;
     }

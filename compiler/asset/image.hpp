@@ -28,18 +28,22 @@ struct Image {
 };
 Image make_image(std::uint32_t width, std::uint32_t height, TexelFormat format);
 
-// PNG (8 or 16 bit), JPEG, TGA, BMP, HDR, EXR, PFM, told apart by content. `name` stands in messages. A damaged or
-// foreign file adds an error (image_format, image_limit) at `place` and gives nothing; never crashes on hostile bytes.
-std::optional<Image> read_image(std::string_view bytes, std::string_view name, const Place& place, Diags& diags);
+// PNG (8 or 16 bit), JPEG, TGA, BMP, HDR, EXR, PFM, told apart by content. `name` stands in messages. A
+// damaged or foreign file adds an error (image_format, image_limit) at `place` and gives nothing; never
+// crashes on hostile bytes.
+std::optional<Image> read_image(std::string_view bytes, std::string_view name, const Place& place,
+                                Diags& diags);
 
 // 8-bit RGBA PNG of a unorm8 image, deterministic bytes.
 std::string png_bytes(const Image& image);
 // 16-bit RGBA PNG of a unorm16 image.
 std::string png16_bytes(const Image& image);
-// Portable float map, three channels (alpha is dropped), little-endian, rows bottom to top as the format demands.
+// Portable float map, three channels (alpha is dropped), little-endian, rows bottom to top as the format
+// demands.
 std::string pfm_bytes(const Image& image);
 
-// One named layer of a multi-layer EXR; channels are named "<layer>.R" and so on, or "R" where the name is "".
+// One named layer of a multi-layer EXR; channels are named "<layer>.R" and so on, or "R" where the name is
+// "".
 struct ExrLayer {
     std::string name;
     int channels = 4;  // 1 to 4 of the image are written
@@ -48,6 +52,7 @@ struct ExrLayer {
 // 32-bit float channels, ZIP compression, deterministic bytes.
 std::string exr_bytes(const std::vector<ExrLayer>& layers);
 // The layers of an EXR by channel prefix; for tests and tools.
-std::optional<std::vector<ExrLayer>> read_exr_layers(std::string_view bytes, std::string_view name, Diags& diags);
+std::optional<std::vector<ExrLayer>> read_exr_layers(std::string_view bytes, std::string_view name,
+                                                     Diags& diags);
 
 }  // namespace sg::asset

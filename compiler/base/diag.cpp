@@ -12,7 +12,8 @@ namespace sg {
 namespace {
 
 constexpr auto kCodes = std::to_array<CodeInfo>({
-#define SG_DIAG(number, identifier, fault, cause, mend) {Code::identifier, #identifier, Fault::fault, cause, mend},
+#define SG_DIAG(number, identifier, fault, cause, mend) \
+    {Code::identifier, #identifier, Fault::fault, cause, mend},
 #include "base/diag_codes.def"
 #undef SG_DIAG
 });
@@ -55,18 +56,21 @@ std::string caret_block(const Place& place) {
     std::uint32_t line_begin = 0;
     std::string_view line = line_at(place.source->text, place.span.begin, line_begin);
     std::size_t from = std::min<std::size_t>(place.span.begin - line_begin, line.size());
-    std::size_t to = std::clamp<std::size_t>(place.span.end - std::min(place.span.end, line_begin), from, line.size());
+    std::size_t to =
+        std::clamp<std::size_t>(place.span.end - std::min(place.span.end, line_begin), from, line.size());
     constexpr std::size_t kWindow = 120;
     std::size_t cut = from > kWindow / 2 && line.size() > kWindow ? from - kWindow / 2 : 0;
     while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xC0u) == 0x80u) --cut;
     std::size_t shown_end = std::min(line.size(), cut + kWindow);
-    while (shown_end < line.size() && (static_cast<unsigned char>(line[shown_end]) & 0xC0u) == 0x80u) ++shown_end;
+    while (shown_end < line.size() && (static_cast<unsigned char>(line[shown_end]) & 0xC0u) == 0x80u)
+        ++shown_end;
     std::string shown(line.substr(cut, shown_end - cut));
     for (char& c : shown) {
         if (static_cast<unsigned char>(c) < 0x20u || c == 0x7F) c = ' ';
     }
     std::size_t indent = code_points(line.substr(cut, from - cut));
-    std::size_t width = std::max<std::size_t>(1, code_points(line.substr(from, std::min(to, shown_end) - from)));
+    std::size_t width =
+        std::max<std::size_t>(1, code_points(line.substr(from, std::min(to, shown_end) - from)));
     return fmt::format("{}\n{}{}\n", shown, std::string(indent, ' '), std::string(width, '^'));
 }
 
@@ -93,8 +97,8 @@ std::string json_string(std::string_view text) {
 
 std::string render_json(const Diagnostic& d) {
     std::string out = fmt::format("{{\"severity\":\"{}\",\"code\":\"SG{}\",\"message\":{}",
-                                  d.severity == Severity::error ? "error" : "warning", static_cast<int>(d.code),
-                                  json_string(d.message));
+                                  d.severity == Severity::error ? "error" : "warning",
+                                  static_cast<int>(d.code), json_string(d.message));
     if (d.place.source) {
         LineColumn at = line_column(d.place.source->text, d.place.span.begin);
         LineColumn end = line_column(d.place.source->text, d.place.span.end);
@@ -110,7 +114,9 @@ std::string render_json(const Diagnostic& d) {
 
 }  // namespace
 
-std::span<const CodeInfo> all_codes() { return kCodes; }
+std::span<const CodeInfo> all_codes() {
+    return kCodes;
+}
 
 const CodeInfo& code_info(Code code) {
     for (const CodeInfo& info : kCodes) {
@@ -135,8 +141,10 @@ void Diags::append(const Diags& other) {
 
 void Diags::sort() {
     std::stable_sort(all_.begin(), all_.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        std::string_view a_name = a.place.source ? std::string_view(a.place.source->name) : std::string_view();
-        std::string_view b_name = b.place.source ? std::string_view(b.place.source->name) : std::string_view();
+        std::string_view a_name =
+            a.place.source ? std::string_view(a.place.source->name) : std::string_view();
+        std::string_view b_name =
+            b.place.source ? std::string_view(b.place.source->name) : std::string_view();
         return std::pair(a_name, a.place.span.begin) < std::pair(b_name, b.place.span.begin);
     });
 }
@@ -155,8 +163,10 @@ std::string render(const Diagnostic& d, DiagFormat format, bool color) {
     if (format == DiagFormat::json) return render_json(d);
     bool is_error = d.severity == Severity::error;
     std::string_view word = is_error ? "error" : "warning";
-    std::string head = color ? fmt::format("\x1b[{}m{}:\x1b[0m", is_error ? "1;31" : "1;35", word) : fmt::format("{}:", word);
-    std::string out = fmt::format("{}{} {} [SG{}]\n", where(d.place), head, d.message, static_cast<int>(d.code));
+    std::string head = color ? fmt::format("\x1b[{}m{}:\x1b[0m", is_error ? "1;31" : "1;35", word)
+                             : fmt::format("{}:", word);
+    std::string out =
+        fmt::format("{}{} {} [SG{}]\n", where(d.place), head, d.message, static_cast<int>(d.code));
     if (d.place.source) out += caret_block(d.place);
     for (const Note& note : d.notes) {
         out += fmt::format("{}note: {}\n", where(note.place), note.text);

@@ -4,8 +4,8 @@
 //         "kind": "normal_mpa"
 //                 ^^^^^^^^^^^^
 //
-// Messages are lower case, have no full stop, quote the value that is wrong. Every stage reports all that it can,
-// not the first. Our own bugs never come here (base/ice.hpp).
+// Messages are lower case, have no full stop, quote the value that is wrong. Every stage reports all that it
+// can, not the first. Our own bugs never come here (base/ice.hpp).
 #pragma once
 
 #include <span>

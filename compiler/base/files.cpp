@@ -75,9 +75,13 @@ Files::ReadResult MemoryFiles::read(const fs::path& path) {
     return {Status::ok, it->second, ""};
 }
 
-bool MemoryFiles::exists(const fs::path& path) { return contents.count(path.lexically_normal().string()) > 0; }
+bool MemoryFiles::exists(const fs::path& path) {
+    return contents.count(path.lexically_normal().string()) > 0;
+}
 
-fs::path MemoryFiles::canonical(const fs::path& path) { return path.lexically_normal(); }
+fs::path MemoryFiles::canonical(const fs::path& path) {
+    return path.lexically_normal();
+}
 
 std::string MemoryFiles::write_all(const std::vector<std::pair<fs::path, std::string>>& files) {
     for (const auto& [path, bytes] : files) contents[path.lexically_normal().string()] = bytes;
@@ -90,7 +94,8 @@ std::optional<std::string> read_or_report(Files& files, const fs::path& path, Di
         case Files::Status::ok:
             return std::move(result.bytes);
         case Files::Status::missing:
-            diags.error(Code::file_missing, fmt::format("file '{}' does not exist", printable(path.string())));
+            diags.error(Code::file_missing,
+                        fmt::format("file '{}' does not exist", printable(path.string())));
             break;
         case Files::Status::unreadable:
             diags.error(Code::file_unreadable,
@@ -100,7 +105,8 @@ std::optional<std::string> read_or_report(Files& files, const fs::path& path, Di
     return std::nullopt;
 }
 
-bool write_or_report(Files& files, const std::vector<std::pair<fs::path, std::string>>& contents, Diags& diags) {
+bool write_or_report(Files& files, const std::vector<std::pair<fs::path, std::string>>& contents,
+                     Diags& diags) {
     std::string reason = files.write_all(contents);
     if (!reason.empty()) diags.error(Code::file_unwritable, reason);
     return reason.empty();

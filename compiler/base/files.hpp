@@ -28,7 +28,8 @@ public:
     virtual std::filesystem::path canonical(const std::filesystem::path& path) = 0;
     // All files appear whole (temporary name, then rename) or, on an error, none: folders are made as needed.
     // Returns "" or the reason why not.
-    virtual std::string write_all(const std::vector<std::pair<std::filesystem::path, std::string>>& files) = 0;
+    virtual std::string write_all(
+        const std::vector<std::pair<std::filesystem::path, std::string>>& files) = 0;
 };
 
 class RealFiles final : public Files {

@@ -1,5 +1,5 @@
-// Our own bugs. SG_ASSERT and SG_UNREACHABLE are active in every build: they print what happened and leave with
-// exit code 3. What a user can mend goes through base/diag.hpp instead; the two never mix.
+// Our own bugs. SG_ASSERT and SG_UNREACHABLE are active in every build: they print what happened and leave
+// with exit code 3. What a user can mend goes through base/diag.hpp instead; the two never mix.
 #pragma once
 
 #include <string_view>
@@ -11,8 +11,8 @@ namespace sg {
 
 }  // namespace sg
 
-#define SG_ASSERT(condition)                                                              \
-    do {                                                                                  \
+#define SG_ASSERT(condition)                                                                         \
+    do {                                                                                             \
         if (!(condition)) ::sg::internal_error(__FILE__, __LINE__, "assertion failed: " #condition); \
     } while (false)
 #define SG_UNREACHABLE(what) ::sg::internal_error(__FILE__, __LINE__, what)

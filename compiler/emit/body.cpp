@@ -54,7 +54,8 @@ Tightness tightness_of(const Value& value) {
 std::uint32_t times_written(std::string_view glsl, std::size_t operand) {
     std::string place = fmt::format("{{{}}}", operand);
     std::uint32_t times = 0;
-    for (std::size_t at = glsl.find(place); at != std::string_view::npos; at = glsl.find(place, at + 1)) ++times;
+    for (std::size_t at = glsl.find(place); at != std::string_view::npos; at = glsl.find(place, at + 1))
+        ++times;
     return times;
 }
 
@@ -66,7 +67,8 @@ void replace_all(std::string& text, std::string_view what, std::string_view with
 
 }  // namespace
 
-Body::Body(const ir::Module& module, const MaterialInterface& material) : module_(module), material_(material) {
+Body::Body(const ir::Module& module, const MaterialInterface& material)
+    : module_(module), material_(material) {
     count_uses();
     for (std::size_t i = 0; i < module_.values.size(); ++i) {
         std::string_view include = ir::info(module_.values[i].op).include;
@@ -121,7 +123,8 @@ std::string Body::attribute(const Value& value) const {
                 same = same && value.number[i] == value.number[0];
                 list += (i > 0 ? ", " : "") + float_literal(value.number[i]);
             }
-            return fmt::format("{}({})", ir::info(value.type).glsl, same ? float_literal(value.number[0]) : list);
+            return fmt::format("{}({})", ir::info(value.type).glsl,
+                               same ? float_literal(value.number[0]) : list);
         }
         case Attribute::Count:
             return fmt::format("{}", value.index);
@@ -138,7 +141,8 @@ std::string Body::attribute(const Value& value) const {
     return "";
 }
 
-// Parentheses where the tree would not survive being printed without them. Below a name no operand binds loosely.
+// Parentheses where the tree would not survive being printed without them. Below a name no operand binds
+// loosely.
 std::string Body::operand_of(const Value& parent, std::size_t index) const {
     const std::string& text = expressions_[parent.operands[index].index];
     bool is_name = text.find(' ') == std::string::npos;
@@ -169,7 +173,8 @@ std::string Body::expression(const Value& value) const {
 bool Body::wants_name(std::size_t i, const std::string& expression) const {
     const Value& value = module_.values[i];
     if (is_trivial(value)) return false;
-    return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame || expression.size() > kLongExpression;
+    return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame ||
+           expression.size() > kLongExpression;
 }
 
 std::string Body::wanted_name(std::size_t i) const {

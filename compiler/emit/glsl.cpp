@@ -49,32 +49,38 @@ std::string vertex_value(const Varying& v) {
     return as_it_is ? attribute : fmt::format("sg_stage_{}({})", vertex_input(v).name, attribute);
 }
 
-std::string vertex_text(const ir::Module& module, const EntryPoint& entry, const std::vector<Varying>& varyings) {
+std::string vertex_text(const ir::Module& module, const EntryPoint& entry,
+                        const std::vector<Varying>& varyings) {
     std::string out = head(module, "vertex", entry.name) + "#include \"stage/vertex.glsl\"\n\n";
     for (const VertexInput& input : vertex_inputs(varyings)) {
-        out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type, input.name);
+        out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type,
+                           input.name);
     }
     for (const Varying& v : varyings) {
-        out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v), vertex_input(v).glsl_type,
-                           varying_name(v));
+        out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v),
+                           vertex_input(v).glsl_type, varying_name(v));
     }
     out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
-    for (const Varying& v : varyings) out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
+    for (const Varying& v : varyings)
+        out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
     return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
 }
 
 // ---- fragment ----
 
-std::string glsl_type(ir::Type type) { return std::string(ir::info(type).glsl); }
+std::string glsl_type(ir::Type type) {
+    return std::string(ir::info(type).glsl);
+}
 
 // `used_parameters`: whether the block is read at all.
-std::string material_declarations(const ir::Module& module, const MaterialInterface& material, bool used_parameters,
-                                  const std::vector<bool>& sampled) {
+std::string material_declarations(const ir::Module& module, const MaterialInterface& material,
+                                  bool used_parameters, const std::vector<bool>& sampled) {
     std::string out;
     if (used_parameters) {
         out += "layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {\n";
         for (std::size_t i = 0; i < material.parameters.size(); ++i) {
-            out += fmt::format("    {} {};\n", glsl_type(module.parameters[i].type), material.parameters[i].member);
+            out += fmt::format("    {} {};\n", glsl_type(module.parameters[i].type),
+                               material.parameters[i].member);
         }
         out += "} sg_material;\n";
     }
@@ -82,12 +88,13 @@ std::string material_declarations(const ir::Module& module, const MaterialInterf
     for (const TextureSlot& slot : material.textures) {
         if (!sampled[slot.texture]) continue;
         samplers[slot.sampler] = true;
-        out += fmt::format("layout(set = 1, binding = {}) uniform texture2D {};\n", slot.binding, slot.variable);
+        out +=
+            fmt::format("layout(set = 1, binding = {}) uniform texture2D {};\n", slot.binding, slot.variable);
     }
     for (std::size_t i = 0; i < samplers.size(); ++i) {
         if (!samplers[i]) continue;
-        out += fmt::format("layout(set = 1, binding = {}) uniform sampler {};\n", material.samplers[i].binding,
-                           material.samplers[i].variable);
+        out += fmt::format("layout(set = 1, binding = {}) uniform sampler {};\n",
+                           material.samplers[i].binding, material.samplers[i].variable);
     }
     return out;
 }
@@ -114,7 +121,8 @@ std::string debug_tail(const ir::Module& module, const Body& body, EntryInterfac
             debug_view(out, interface, "tangent", 3, "vector", value + ".tangent");
             debug_view(out, interface, "bitangent", 3, "vector", value + ".bitangent");
         } else if (output.output == Output::uv) {
-            debug_view(out, interface, fmt::format("uv{}", output.set), 2, "uv", fmt::format("vec3({}.st, 0.0)", value));
+            debug_view(out, interface, fmt::format("uv{}", output.set), 2, "uv",
+                       fmt::format("vec3({}.st, 0.0)", value));
             debug_view(out, interface, fmt::format("uv{}-derivatives", output.set), 4, "vector",
                        fmt::format("vec4({0}.dx, {0}.dy)", value));
         } else if (output.output == Output::vertex_color) {
@@ -133,14 +141,17 @@ std::string debug_tail(const ir::Module& module, const Body& body, EntryInterfac
 std::string alpha_test(const ir::Module& module, const Body& body) {
     ir::ValueId cutoff = module.output(Output::cutoff);
     if (!cutoff.valid()) return "";
-    return fmt::format("    if ({} < {}) discard;\n", body.operand(module.output(Output::opacity)), body.operand(cutoff));
+    return fmt::format("    if ({} < {}) discard;\n", body.operand(module.output(Output::opacity)),
+                       body.operand(cutoff));
 }
 
-std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body, EntryInterface& interface) {
+std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body,
+                 EntryInterface& interface) {
     auto operand = [&](Output output) { return body.operand(module.output(output)); };
     std::string out = alpha_test(module, body);
     if (entry.name == "debug") return out + debug_tail(module, body, interface);
-    if (entry.name == "normal") return out + fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
+    if (entry.name == "normal")
+        return out + fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
     SG_ASSERT(entry.name == "forward");
     return out + fmt::format(
                      "    SgSurface sg_surface = SgSurface({}, {}, {}, {}, {});\n"
@@ -165,7 +176,8 @@ Used used_by(const ir::Module& module) {
         ir::Attribute attribute = ir::info(value.op).attribute;
         if (attribute == ir::Attribute::Parameter) used.parameters = true;
         if (value.op == Op::time) used.frame_block = true;
-        if (value.op != Op::time && ir::info(value.op).include == "stage/object.glsl") used.object_block = true;
+        if (value.op != Op::time && ir::info(value.op).include == "stage/object.glsl")
+            used.object_block = true;
         if (attribute == ir::Attribute::Texture) {
             used.textures[value.index] = true;
             ++used.texture_reads;
@@ -174,18 +186,22 @@ Used used_by(const ir::Module& module) {
     return used;
 }
 
-std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& module, const MaterialInterface& material,
-                                 const Used& used) {
-    std::vector<Binding> out{{0, 0, BindingKind::uniform_buffer, "SgFrameBlock", true, entry.reads_frame_block || used.frame_block}};
+std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& module,
+                                 const MaterialInterface& material, const Used& used) {
+    std::vector<Binding> out{{0, 0, BindingKind::uniform_buffer, "SgFrameBlock", true,
+                              entry.reads_frame_block || used.frame_block}};
     if (used.parameters) out.push_back({1, 0, BindingKind::uniform_buffer, "SgMaterialBlock", false, true});
     std::vector<bool> samplers(material.samplers.size(), false);
     for (const TextureSlot& slot : material.textures) {
         if (!used.textures[slot.texture]) continue;
         samplers[slot.sampler] = true;
-        out.push_back({1, slot.binding, BindingKind::texture, module.textures[slot.texture].name, false, true});
+        out.push_back(
+            {1, slot.binding, BindingKind::texture, module.textures[slot.texture].name, false, true});
     }
     for (std::size_t i = 0; i < samplers.size(); ++i) {
-        if (samplers[i]) out.push_back({1, material.samplers[i].binding, BindingKind::sampler, material.samplers[i].variable, false, true});
+        if (samplers[i])
+            out.push_back({1, material.samplers[i].binding, BindingKind::sampler,
+                           material.samplers[i].variable, false, true});
     }
     out.push_back({2, 0, BindingKind::uniform_buffer, "SgObjectBlock", true, used.object_block});
     return out;
@@ -198,9 +214,10 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     Body body(module, material);
     Used used = used_by(module);
     out.interface.varyings = varyings_of(module);
-    if (entry.name == "forward" &&
-        std::none_of(out.interface.varyings.begin(), out.interface.varyings.end(), [](const Varying& v) { return v.source == Op::position; })) {
-        out.interface.varyings.insert(out.interface.varyings.begin(), {Op::position, 0});  // lighting needs it
+    if (entry.name == "forward" && std::none_of(out.interface.varyings.begin(), out.interface.varyings.end(),
+                                                [](const Varying& v) { return v.source == Op::position; })) {
+        out.interface.varyings.insert(out.interface.varyings.begin(),
+                                      {Op::position, 0});  // lighting needs it
     }
     out.interface.bindings = bindings_of(entry, module, material, used);
     out.texture_reads = used.texture_reads;
@@ -212,9 +229,11 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     std::string declarations = material_declarations(module, material, used.parameters, used.textures);
     if (!declarations.empty()) text += declarations + "\n";
     for (const Varying& v : out.interface.varyings) {
-        text += fmt::format("layout(location = {}) in {} sg_in_{};\n", varying_location(v), vertex_input(v).glsl_type, varying_name(v));
+        text += fmt::format("layout(location = {}) in {} sg_in_{};\n", varying_location(v),
+                            vertex_input(v).glsl_type, varying_name(v));
     }
-    text += fmt::format("layout(location = 0) out vec4 sg_out_{};\n\nvoid main() {{\n{}{}}}\n", entry.output, body.text(), last);
+    text += fmt::format("layout(location = 0) out vec4 sg_out_{};\n\nvoid main() {{\n{}{}}}\n", entry.output,
+                        body.text(), last);
     out.fragment = std::move(text);
     out.vertex = vertex_text(module, entry, out.interface.varyings);
     return out;

@@ -1,5 +1,6 @@
-// From a module to GLSL 4.50 for Vulkan that reads as if written by hand: includes, declarations, main; a comment
-// and a named local per layer; nothing that is used once gets a name unless the line would grow too long.
+// From a module to GLSL 4.50 for Vulkan that reads as if written by hand: includes, declarations, main; a
+// comment and a named local per layer; nothing that is used once gets a name unless the line would grow too
+// long.
 #pragma once
 
 #include <span>

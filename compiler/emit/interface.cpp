@@ -27,12 +27,15 @@ Std140 std140(ir::Type type) {
     }
 }
 
-std::uint32_t align(std::uint32_t value, std::uint32_t to) { return (value + to - 1) / to * to; }
+std::uint32_t align(std::uint32_t value, std::uint32_t to) {
+    return (value + to - 1) / to * to;
+}
 
 }  // namespace
 
 const TextureSlot* MaterialInterface::texture(std::uint32_t index) const {
-    auto it = std::find_if(textures.begin(), textures.end(), [&](const TextureSlot& t) { return t.texture == index; });
+    auto it = std::find_if(textures.begin(), textures.end(),
+                           [&](const TextureSlot& t) { return t.texture == index; });
     return it == textures.end() ? nullptr : &*it;
 }
 
@@ -54,13 +57,16 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
     }
     std::uint32_t binding = 1;
     for (std::uint32_t i = 0; i < module.textures.size(); ++i) {
-        if (sampled[i]) out.textures.push_back({variables.unique("t_", module.textures[i].name), i, binding++, 0});
+        if (sampled[i])
+            out.textures.push_back({variables.unique("t_", module.textures[i].name), i, binding++, 0});
     }
     for (TextureSlot& slot : out.textures) {
         std::uint32_t group = sampler_group[slot.texture];
-        auto it = std::find_if(out.samplers.begin(), out.samplers.end(), [&](const SamplerSlot& s) { return s.group == group; });
+        auto it = std::find_if(out.samplers.begin(), out.samplers.end(),
+                               [&](const SamplerSlot& s) { return s.group == group; });
         if (it == out.samplers.end()) {
-            out.samplers.push_back({variables.unique("s_", std::to_string(out.samplers.size())), group, binding++});
+            out.samplers.push_back(
+                {variables.unique("s_", std::to_string(out.samplers.size())), group, binding++});
             it = out.samplers.end() - 1;
         }
         slot.sampler = static_cast<std::uint32_t>(it - out.samplers.begin());

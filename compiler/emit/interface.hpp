@@ -20,15 +20,15 @@ struct ParameterSlot {
 };
 
 struct TextureSlot {
-    std::string variable;        // GLSL name
-    std::uint32_t texture = 0;   // into ir::Module::textures
+    std::string variable;       // GLSL name
+    std::uint32_t texture = 0;  // into ir::Module::textures
     std::uint32_t binding = 0;
-    std::uint32_t sampler = 0;   // into MaterialInterface::samplers
+    std::uint32_t sampler = 0;  // into MaterialInterface::samplers
 };
 
 struct SamplerSlot {
     std::string variable;
-    std::uint32_t group = 0;     // the caller's number for samplers that are set alike
+    std::uint32_t group = 0;  // the caller's number for samplers that are set alike
     std::uint32_t binding = 0;
 };
 
@@ -41,8 +41,9 @@ struct MaterialInterface {
     [[nodiscard]] const TextureSlot* texture(std::uint32_t index) const;
 };
 
-// `sampler_group[i]` tells which textures sample alike. `module` is the optimised one: textures that it does not
-// sample get no binding. Bindings are dense: the block (if any) is 0, textures start at 1, samplers follow.
+// `sampler_group[i]` tells which textures sample alike. `module` is the optimised one: textures that it does
+// not sample get no binding. Bindings are dense: the block (if any) is 0, textures start at 1, samplers
+// follow.
 MaterialInterface material_interface(const ir::Module& module, std::span<const std::uint32_t> sampler_group);
 
 // ---- what one entry point uses ----
@@ -62,7 +63,8 @@ struct VertexInput {
 };
 // The attribute that a varying is made from.
 VertexInput vertex_input(const Varying& varying);
-// All attributes that a vertex shader reads for these: position, which places the vertex, and each other one once.
+// All attributes that a vertex shader reads for these: position, which places the vertex, and each other one
+// once.
 std::vector<VertexInput> vertex_inputs(std::span<const Varying> varyings);
 // Between the stages: names are "sg_out_<name>" and "sg_in_<name>".
 std::uint32_t varying_location(const Varying& varying);
@@ -86,9 +88,9 @@ struct View {
 };
 
 struct EntryInterface {
-    std::vector<Varying> varyings;   // by location; position is always fed to the vertex stage
-    std::vector<Binding> bindings;   // by set and binding
-    std::vector<View> views;         // of the debug entry
+    std::vector<Varying> varyings;  // by location; position is always fed to the vertex stage
+    std::vector<Binding> bindings;  // by set and binding
+    std::vector<View> views;        // of the debug entry
 };
 
 }  // namespace sg::emit

@@ -1,7 +1,9 @@
 // Names for generated text. What `unique` gives:
-//   * is a valid identifier in GLSL, ESSL, HLSL and Metal: [a-z]_ as prefix, then letters, digits, single '_';
+//   * is a valid identifier in GLSL, ESSL, HLSL and Metal: [a-z]_ as prefix, then letters, digits, single
+//   '_';
 //   * cannot be a keyword of any of them, nor collide with the library (which uses sg_, Sg and SG_);
-//   * differs from every other name of the same Names, also where users' names differ only in other characters;
+//   * differs from every other name of the same Names, also where users' names differ only in other
+//   characters;
 //   * is the same for the same calls in the same order.
 #pragma once
 

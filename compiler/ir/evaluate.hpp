@@ -27,11 +27,11 @@ struct Volume {
 
 // What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL
 // column.
-using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis, Volume,
-                           ref::TriplanarUv, ref::Noise, glm::dmat4, ref::Decal, ref::DerivPair>;
+using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis,
+                           Volume, ref::TriplanarUv, ref::Noise, glm::dmat4, ref::Decal, ref::DerivPair>;
 inline constexpr std::array<std::string_view, std::variant_size_v<Datum>> kDatumGlsl = {
-    "float", "vec2", "vec3", "vec4", "SgFrame", "SgUv", "SgBasis", "SgVolume", "SgTriplanarUv", "SgNoise",
-    "mat4",  "SgDecal", "SgDerivPair"};
+    "float",    "vec2",          "vec3",    "vec4", "SgFrame", "SgUv",       "SgBasis",
+    "SgVolume", "SgTriplanarUv", "SgNoise", "mat4", "SgDecal", "SgDerivPair"};
 
 // The components of a datum in the order of its fields.
 std::vector<double> components(const Datum& datum);

@@ -47,12 +47,14 @@ constexpr OutputRow kOutputs[] = {
     {Output::uv, "uv", Type::Uv},
     {Output::volume, "volume", Type::Volume},
 };
-constexpr Output kOutputOrder[] = {Output::normal,   Output::base_color, Output::metallic,  Output::roughness,
-                                   Output::occlusion, Output::emission,  Output::opacity,   Output::cutoff,
-                                   Output::frame,    Output::gradient, Output::basis_vertex, Output::vertex_color,
-                                   Output::uv,       Output::volume};
-constexpr std::string_view kEncodings[] = {"tangent_normal", "tangent_normal_xy", "derivative", "object_normal",
-                                           "world_normal",   "height",            "color",      "mask"};
+constexpr Output kOutputOrder[] = {
+    Output::normal,       Output::base_color,   Output::metallic, Output::roughness, Output::occlusion,
+    Output::emission,     Output::opacity,      Output::cutoff,   Output::frame,     Output::gradient,
+    Output::basis_vertex, Output::vertex_color, Output::uv,       Output::volume};
+constexpr std::string_view kEncodings[] = {"tangent_normal", "tangent_normal_xy",
+                                           "derivative",     "object_normal",
+                                           "world_normal",   "height",
+                                           "color",          "mask"};
 
 }  // namespace
 
@@ -60,18 +62,38 @@ bool is_index(Attribute attribute) {
     return attribute != Attribute::None && attribute != Attribute::Zero && attribute != Attribute::Number;
 }
 
-std::string_view encoding_name(TextureEncoding encoding) { return kEncodings[static_cast<std::size_t>(encoding)]; }
-std::span<const std::string_view> encoding_names() { return kEncodings; }
+std::string_view encoding_name(TextureEncoding encoding) {
+    return kEncodings[static_cast<std::size_t>(encoding)];
+}
+std::span<const std::string_view> encoding_names() {
+    return kEncodings;
+}
 
-const TypeInfo& info(Type type) { return types()[static_cast<std::size_t>(type)]; }
-std::span<const TypeInfo> all_types() { return std::span(types()).first(types().size() - 1); }
-const OpInfo& info(Op op) { return ops()[static_cast<std::size_t>(op)]; }
-std::span<const OpInfo> all_ops() { return ops(); }
+const TypeInfo& info(Type type) {
+    return types()[static_cast<std::size_t>(type)];
+}
+std::span<const TypeInfo> all_types() {
+    return std::span(types()).first(types().size() - 1);
+}
+const OpInfo& info(Op op) {
+    return ops()[static_cast<std::size_t>(op)];
+}
+std::span<const OpInfo> all_ops() {
+    return ops();
+}
 
-bool is_numbered(Output output) { return output == Output::uv || output == Output::volume; }
-std::string_view output_name(Output output) { return kOutputs[static_cast<std::size_t>(output)].name; }
-Type output_type(Output output) { return kOutputs[static_cast<std::size_t>(output)].type; }
-std::span<const Output> all_outputs() { return kOutputOrder; }
+bool is_numbered(Output output) {
+    return output == Output::uv || output == Output::volume;
+}
+std::string_view output_name(Output output) {
+    return kOutputs[static_cast<std::size_t>(output)].name;
+}
+Type output_type(Output output) {
+    return kOutputs[static_cast<std::size_t>(output)].type;
+}
+std::span<const Output> all_outputs() {
+    return kOutputOrder;
+}
 
 ValueId Module::output(Output which) const {
     for (const OutputBinding& binding : outputs) {
@@ -103,7 +125,8 @@ ValueId Builder::push(Value value) {
 }
 
 ValueId Builder::add(Op op, std::vector<ValueId> operands, std::string name) {
-    return push({.op = op, .type = info(op).result, .operands = std::move(operands), .name = std::move(name)});
+    return push(
+        {.op = op, .type = info(op).result, .operands = std::move(operands), .name = std::move(name)});
 }
 
 ValueId Builder::add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands, std::string name) {
@@ -115,7 +138,11 @@ ValueId Builder::add_indexed(Op op, std::uint32_t index, std::vector<ValueId> op
 }
 
 ValueId Builder::add_zero(Op op, double zero, std::vector<ValueId> operands, std::string name) {
-    return push({.op = op, .type = info(op).result, .operands = std::move(operands), .number = {zero}, .name = std::move(name)});
+    return push({.op = op,
+                 .type = info(op).result,
+                 .operands = std::move(operands),
+                 .number = {zero},
+                 .name = std::move(name)});
 }
 
 ValueId Builder::constant(Type type, std::array<double, 4> number) {
@@ -124,7 +151,8 @@ ValueId Builder::constant(Type type, std::array<double, 4> number) {
 }
 
 ValueId Builder::parameter(ParameterId parameter) {
-    return push({.op = Op::parameter, .type = module_.parameters[parameter.index].type, .index = parameter.index});
+    return push(
+        {.op = Op::parameter, .type = module_.parameters[parameter.index].type, .index = parameter.index});
 }
 
 void Builder::output(Output which, ValueId value, std::uint32_t set) {

@@ -1,14 +1,16 @@
 // The intermediate representation of a material.
 //
-// A Module is a list of values in evaluation order. Each value is the result of one operation (ops.def) on earlier
-// values and has one type (types.def). There is no control flow, nothing is written to, and evaluating a value has
-// no effect, so equal values may be merged and unused ones dropped. Screen derivatives are taken inside uv_set and
-// frame alone, which therefore stand for values in uniform control flow.
+// A Module is a list of values in evaluation order. Each value is the result of one operation (ops.def) on
+// earlier values and has one type (types.def). There is no control flow, nothing is written to, and
+// evaluating a value has no effect, so equal values may be merged and unused ones dropped. Screen derivatives
+// are taken inside uv_set and frame alone, which therefore stand for values in uniform control flow.
 //
 // What a type means is what may be done with it:
-//   * a Deriv belongs to the basis that it will be projected with; derivatives add only before that projection;
+//   * a Deriv belongs to the basis that it will be projected with; derivatives add only before that
+//   projection;
 //   * a SurfGrad is perpendicular to the normal of its frame; those of one frame add in any order;
-//   * a VolGrad is not perpendicular to anything: it is projected before it is added to a SurfGrad or resolved.
+//   * a VolGrad is not perpendicular to anything: it is projected before it is added to a SurfGrad or
+//   resolved.
 // `verify` refuses every other mix.
 //
 // Outputs name the values that leave the module; the entry points take what they need of them.
@@ -38,7 +40,18 @@ enum class Op : std::uint8_t {
 #undef SG_OP
 };
 
-enum class Attribute : std::uint8_t { None, Set, Texture, Parameter, Zero, Number, Count, Channel, Axis, Corner };
+enum class Attribute : std::uint8_t {
+    None,
+    Set,
+    Texture,
+    Parameter,
+    Zero,
+    Number,
+    Count,
+    Channel,
+    Axis,
+    Corner
+};
 // Whether Value::index holds the attribute.
 bool is_index(Attribute attribute);
 
@@ -92,7 +105,8 @@ struct Parameter {
 };
 using ParameterId = Id<Parameter>;
 
-// The layer that a value was lowered from: its id and kind as written, for names and comments in generated text.
+// The layer that a value was lowered from: its id and kind as written, for names and comments in generated
+// text.
 struct Layer {
     std::string id;
     std::string kind;
@@ -103,10 +117,10 @@ struct Value {
     Op op{};
     Type type{};
     std::vector<ValueId> operands;
-    std::uint32_t index = 0;           // every attribute but Zero and Number
-    std::array<double, 4> number{};    // Zero: [0]; Number: as many as the type has
-    std::string name;                  // a hint for generated text, may be empty, need not be unique
-    LayerId layer;                     // invalid: belongs to no layer
+    std::uint32_t index = 0;         // every attribute but Zero and Number
+    std::array<double, 4> number{};  // Zero: [0]; Number: as many as the type has
+    std::string name;                // a hint for generated text, may be empty, need not be unique
+    LayerId layer;                   // invalid: belongs to no layer
 };
 
 // What may leave a module, with the type it must have.
@@ -159,7 +173,8 @@ class Builder {
 public:
     explicit Builder(Module& module) : module_(module) {}
     ValueId add(Op op, std::vector<ValueId> operands = {}, std::string name = "");
-    ValueId add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands = {}, std::string name = "");
+    ValueId add_indexed(Op op, std::uint32_t index, std::vector<ValueId> operands = {},
+                        std::string name = "");
     ValueId add_zero(Op op, double zero, std::vector<ValueId> operands, std::string name = "");
     ValueId constant(Type type, std::array<double, 4> number);
     ValueId parameter(ParameterId parameter);

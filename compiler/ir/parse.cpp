@@ -125,7 +125,8 @@ private:
         } else if (word == "texture") {
             texture(in);
         } else if (word == "parameter") {
-            if (in.number<std::size_t>() != module.parameters.size()) in.fail("parameters must be numbered in order");
+            if (in.number<std::size_t>() != module.parameters.size())
+                in.fail("parameters must be numbered in order");
             std::string name = in.quoted('"');
             in.expect(':');
             module.parameters.push_back({std::move(name), type(in)});
@@ -193,7 +194,8 @@ private:
         if (!op) return in.fail(fmt::format("unknown operation '{}'", word));
         Value value{.op = static_cast<Op>(*op), .layer = layer_};
         attribute(in, value, info(value.op).attribute);
-        while (in.fault.empty() && !in.at_end() && in.rest.front() == '%') value.operands.push_back(in.value_id());
+        while (in.fault.empty() && !in.at_end() && in.rest.front() == '%')
+            value.operands.push_back(in.value_id());
         in.expect(':');
         value.type = type(in);
         if (!in.at_end() && in.rest.front() == '\'') value.name = in.quoted('\'');

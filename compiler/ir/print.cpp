@@ -23,7 +23,9 @@ std::string quoted(std::string_view text, char quote) {
 std::string attribute_text(const Value& value) {
     Attribute attribute = info(value.op).attribute;
     if (is_index(attribute)) return fmt::format(" {}", value.index);
-    std::size_t count = attribute == Attribute::Zero ? 1 : attribute == Attribute::Number ? component_count(value.type) : 0;
+    std::size_t count = attribute == Attribute::Zero     ? 1
+                        : attribute == Attribute::Number ? component_count(value.type)
+                                                         : 0;
     std::string out;
     for (std::size_t i = 0; i < count; ++i) out += fmt::format(" {}", value.number[i]);
     return out;
@@ -43,21 +45,23 @@ std::string print(const Module& module) {
     std::string out = "module " + quoted(module.name, '"') + "\n";
     for (std::size_t i = 0; i < module.textures.size(); ++i) {
         const Texture& texture = module.textures[i];
-        out += fmt::format("texture {} {} {}\n", i, quoted(texture.name, '"'),
-                           encoding_name(texture.encoding));
+        out +=
+            fmt::format("texture {} {} {}\n", i, quoted(texture.name, '"'), encoding_name(texture.encoding));
     }
     for (std::size_t i = 0; i < module.parameters.size(); ++i) {
         const Parameter& parameter = module.parameters[i];
-        out += fmt::format("parameter {} {} : {}\n", i, quoted(parameter.name, '"'), info(parameter.type).name);
+        out +=
+            fmt::format("parameter {} {} : {}\n", i, quoted(parameter.name, '"'), info(parameter.type).name);
     }
     LayerId current;
     for (std::size_t i = 0; i < module.values.size(); ++i) {
         const Value& value = module.values[i];
         if (value.layer != current) {
             current = value.layer;
-            out += current.valid() ? fmt::format("layer {} {}\n", quoted(module.layers[current.index].id, '"'),
-                                                 module.layers[current.index].kind)
-                                   : "layer none\n";
+            out += current.valid()
+                       ? fmt::format("layer {} {}\n", quoted(module.layers[current.index].id, '"'),
+                                     module.layers[current.index].kind)
+                       : "layer none\n";
         }
         out += value_line(i, value);
     }

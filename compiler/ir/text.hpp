@@ -24,7 +24,8 @@
 
 namespace sg::ir {
 
-// Reads the text form. A fault gives nothing and says in `fault` which line and why. The result is not verified.
+// Reads the text form. A fault gives nothing and says in `fault` which line and why. The result is not
+// verified.
 std::optional<Module> parse(std::string_view text, std::string& fault);
 
 }  // namespace sg::ir

@@ -11,7 +11,9 @@ struct Verifier {
     const Module& module;
     std::string faults;
 
-    void fault(std::string_view where, const std::string& what) { faults += fmt::format("{}: {}\n", where, what); }
+    void fault(std::string_view where, const std::string& what) {
+        faults += fmt::format("{}: {}\n", where, what);
+    }
 
     void operands(std::size_t i, const Value& value, const OpInfo& row, const std::string& where) {
         if (value.operands.size() != row.operands.size()) {
@@ -45,9 +47,10 @@ struct Verifier {
                 if (value.index >= module.parameters.size()) {
                     fault(where, "no such parameter");
                 } else if (module.parameters[value.index].type != value.type) {
-                    fault(where, fmt::format("parameter '{}' is {}, the value is {}",
-                                             module.parameters[value.index].name,
-                                             info(module.parameters[value.index].type).name, info(value.type).name));
+                    fault(where,
+                          fmt::format("parameter '{}' is {}, the value is {}",
+                                      module.parameters[value.index].name,
+                                      info(module.parameters[value.index].type).name, info(value.type).name));
                 }
                 break;
             case Attribute::Zero:
@@ -76,7 +79,8 @@ struct Verifier {
     }
 
     void below(const Value& value, std::uint32_t limit, std::string_view what, const std::string& where) {
-        if (value.index >= limit) fault(where, fmt::format("{} {} is not in 0..{}", what, value.index, limit - 1));
+        if (value.index >= limit)
+            fault(where, fmt::format("{} {} is not in 0..{}", what, value.index, limit - 1));
     }
 
     void value(std::size_t i) {
@@ -84,7 +88,8 @@ struct Verifier {
         const OpInfo& row = info(v.op);
         std::string where = fmt::format("%{}", i);
         if (row.result != Type::Any && v.type != row.result) {
-            fault(where, fmt::format("'{}' gives {}, the value is {}", row.name, info(row.result).name, info(v.type).name));
+            fault(where, fmt::format("'{}' gives {}, the value is {}", row.name, info(row.result).name,
+                                     info(v.type).name));
         }
         if (row.result == Type::Any && component_count(v.type) == 0) {
             fault(where, fmt::format("'{}' cannot give {}", row.name, info(v.type).name));
@@ -106,7 +111,8 @@ struct Verifier {
             fault(where, fmt::format("takes {}, found {} (%{})", info(output_type(binding.output)).name,
                                      info(found).name, binding.value.index));
         }
-        if (binding.set > (binding.output == Output::uv ? 7u : binding.output == Output::volume ? 1u : 0u)) fault(where, "has no such number");
+        if (binding.set > (binding.output == Output::uv ? 7u : binding.output == Output::volume ? 1u : 0u))
+            fault(where, "has no such number");
         for (std::size_t j = 0; j < i; ++j) {
             if (module.outputs[j].output == binding.output && module.outputs[j].set == binding.set) {
                 fault(where, "is set twice");

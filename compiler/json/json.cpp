@@ -9,7 +9,8 @@
 namespace sg::json {
 namespace {
 
-// nlohmann's lexer decides what is valid; this cursor walks the same text beside its events and gives each its span.
+// nlohmann's lexer decides what is valid; this cursor walks the same text beside its events and gives each
+// its span.
 class Cursor {
 public:
     explicit Cursor(std::string_view text) : text_(text) {
@@ -18,7 +19,8 @@ public:
 
     // The span of the next token, which the caller knows to be valid.
     Span next() {
-        while (at_ < text_.size() && std::string_view(" \t\r\n,:").find(text_[at_]) != std::string_view::npos) ++at_;
+        while (at_ < text_.size() && std::string_view(" \t\r\n,:").find(text_[at_]) != std::string_view::npos)
+            ++at_;
         std::size_t begin = at_;
         if (begin < text_.size()) at_ = end_of_token(begin);
         return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
@@ -33,7 +35,9 @@ private:
             return std::min(end + 1, text_.size());
         }
         if (std::string_view("[]{}").find(c) != std::string_view::npos) return end;
-        while (end < text_.size() && std::string_view(" \t\r\n,:[]{}\"").find(text_[end]) == std::string_view::npos) ++end;
+        while (end < text_.size() &&
+               std::string_view(" \t\r\n,:[]{}\"").find(text_[end]) == std::string_view::npos)
+            ++end;
         return end;
     }
 
@@ -42,7 +46,8 @@ private:
 };
 
 std::string without_prefix(std::string_view what) {
-    // "[json.exception.parse_error.101] parse error at line 2, column 5: syntax error while ... - unexpected ..."
+    // "[json.exception.parse_error.101] parse error at line 2, column 5: syntax error while ... - unexpected
+    // ..."
     std::size_t at = what.find("syntax error");
     if (at == what.npos) at = what.find("number overflow");
     if (at == what.npos) at = what.find("] ") + 2;
@@ -64,7 +69,9 @@ public:
     bool number_integer(json::number_integer_t value) { return number(static_cast<double>(value), true); }
     bool number_unsigned(json::number_unsigned_t value) { return number(static_cast<double>(value), true); }
     bool number_float(json::number_float_t value, const std::string&) { return number(value, false); }
-    bool string(std::string& value) { return scalar(Value{.kind = Kind::string, .string = std::move(value)}); }
+    bool string(std::string& value) {
+        return scalar(Value{.kind = Kind::string, .string = std::move(value)});
+    }
     bool binary(json::binary_t&) { return false; }  // JSON text has none
 
     bool start_object(std::size_t) { return open(Kind::object); }
@@ -81,15 +88,16 @@ public:
     bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {
         std::string what = without_prefix(error.what());
         bool encoding = what.find("UTF-8") != what.npos;
-        diags_.error(encoding ? Code::json_encoding : Code::json_syntax, {source_, offending(position, encoding), ""},
-                     printable_long(what));
+        diags_.error(encoding ? Code::json_encoding : Code::json_syntax,
+                     {source_, offending(position, encoding), ""}, printable_long(what));
         return false;
     }
 
     Value root;
 
 private:
-    // The token that the parser stopped in, `position` bytes into the text; one byte where that is at fault itself.
+    // The token that the parser stopped in, `position` bytes into the text; one byte where that is at fault
+    // itself.
     [[nodiscard]] Span offending(std::size_t position, bool one_byte) const {
         std::string_view text = source_->text;
         if (position > text.size() || text.empty()) {
@@ -98,7 +106,9 @@ private:
         }
         std::size_t begin = position > 0 ? position - 1 : 0;
         std::size_t end = begin + 1;
-        auto in_word = [&](std::size_t i) { return std::string_view("{}[],: \t\r\n").find(text[i]) == std::string_view::npos; };
+        auto in_word = [&](std::size_t i) {
+            return std::string_view("{}[],: \t\r\n").find(text[i]) == std::string_view::npos;
+        };
         if (!one_byte && in_word(begin)) {
             while (begin > 0 && in_word(begin - 1)) --begin;
             while (end < text.size() && in_word(end)) ++end;
@@ -180,7 +190,8 @@ private:
 }  // namespace
 
 std::string_view kind_name(Kind kind) {
-    constexpr std::string_view kNames[] = {"null", "a boolean", "a number", "a string", "an array", "an object"};
+    constexpr std::string_view kNames[] = {"null",     "a boolean", "a number",
+                                           "a string", "an array",  "an object"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -193,7 +204,8 @@ const Value* Value::find(std::string_view key) const {
 
 std::optional<Document> parse(SourcePtr source, Diags& diags) {
     if (source->text.size() > kMaxBytes) {
-        diags.error(Code::json_limit, {source, {0, 0}, ""}, fmt::format("the file is larger than {} MiB", kMaxBytes >> 20u));
+        diags.error(Code::json_limit, {source, {0, 0}, ""},
+                    fmt::format("the file is larger than {} MiB", kMaxBytes >> 20u));
         return std::nullopt;
     }
     std::size_t nul = source->text.find('\0');  // the parser would take it for the end of the text

@@ -18,13 +18,13 @@ struct Member;
 
 struct Value {
     Kind kind = Kind::null;
-    Span span;                     // from the first to past the last byte, brackets and quotes included
+    Span span;  // from the first to past the last byte, brackets and quotes included
     bool boolean = false;
-    double number = 0;             // always finite
-    bool is_integer = false;       // written without fraction and exponent
-    std::string string;            // escapes resolved, valid UTF-8
-    std::vector<Value> items;      // of an array
-    std::vector<Member> members;   // of an object, in the order of the text
+    double number = 0;            // always finite
+    bool is_integer = false;      // written without fraction and exponent
+    std::string string;           // escapes resolved, valid UTF-8
+    std::vector<Value> items;     // of an array
+    std::vector<Member> members;  // of an object, in the order of the text
 
     [[nodiscard]] const Value* find(std::string_view key) const;
 };
@@ -40,8 +40,8 @@ struct Document {
     Value root;
 };
 
-inline constexpr std::size_t kMaxDepth = 128;             // nested arrays and objects
-inline constexpr std::size_t kMaxBytes = 64u << 20u;      // of the text
+inline constexpr std::size_t kMaxDepth = 128;         // nested arrays and objects
+inline constexpr std::size_t kMaxBytes = 64u << 20u;  // of the text
 
 // Errors: json_syntax, json_encoding, json_limit, json_duplicate_key (the last for every key, all at once).
 std::optional<Document> parse(SourcePtr source, Diags& diags);

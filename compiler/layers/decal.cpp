@@ -1,4 +1,5 @@
-// decal: a map thrown into object or world space by a projector. decal_mask, decal_color: what it covers, and a picture.
+// decal: a map thrown into object or world space by a projector. decal_mask, decal_color: what it covers, and
+// a picture.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +15,17 @@ using ir::ValueId;
 using Vector = std::array<double, 3>;
 
 // What a projector is, and how far it reaches; fields of all kinds here stand in this order.
-enum ProjectorField : std::size_t { kShape, kSpace, kPosition, kRotation, kSize, kHalfLength, kEdge, kAngleFade, kCutout };
+enum ProjectorField : std::size_t {
+    kShape,
+    kSpace,
+    kPosition,
+    kRotation,
+    kSize,
+    kHalfLength,
+    kEdge,
+    kAngleFade,
+    kCutout
+};
 enum ShapeChoice : std::uint32_t { kBox, kCone, kSphere, kCapsule, kWedge };
 // The layer and decal_color have an image before the projector.
 constexpr std::size_t kImage = 0, kBehindImage = 1;
@@ -22,9 +33,12 @@ constexpr std::size_t kImage = 0, kBehindImage = 1;
 // ---- the projector ----
 
 // Rounded to 12 digits, where all machines agree.
-double rounded(double x) { return std::round(x * 1e12) / 1e12 + 0.0; }
+double rounded(double x) {
+    return std::round(x * 1e12) / 1e12 + 0.0;
+}
 
-// The axes of the projector in the space of the lookup: to the right and up in the image, and back to the projector.
+// The axes of the projector in the space of the lookup: to the right and up in the image, and back to the
+// projector.
 std::array<Vector, 3> axes_of(const Vector& degrees) {
     Vector s{}, c{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -37,7 +51,9 @@ std::array<Vector, 3> axes_of(const Vector& degrees) {
              {s[1], -s[0] * c[1], c[0] * c[1]}}};
 }
 
-ValueId vector(LowerContext& context, const Vector& v) { return context.builder().constant(Type::Vec3, {v[0], v[1], v[2]}); }
+ValueId vector(LowerContext& context, const Vector& v) {
+    return context.builder().constant(Type::Vec3, {v[0], v[1], v[2]});
+}
 
 // The projector's space: s runs along +x, t downward along +y, the image flies along +z (decal.glsl).
 ValueId projector(LowerContext& context, FieldValues values) {
@@ -56,16 +72,19 @@ ValueId projector(LowerContext& context, FieldValues values) {
     return context.builder().add(Op::projector, operands, "projector");
 }
 
-Op decal_op(std::uint32_t shape) { return shape == kCone ? Op::decal_cone : shape == kSphere ? Op::decal_sphere : Op::decal_box; }
+Op decal_op(std::uint32_t shape) {
+    return shape == kCone ? Op::decal_cone : shape == kSphere ? Op::decal_sphere : Op::decal_box;
+}
 
 ValueId falloff(LowerContext& context, FieldValues values, ValueId decal) {
-    static constexpr Op kOps[] = {Op::decal_falloff_box, Op::decal_falloff_cone, Op::decal_falloff_sphere, Op::decal_falloff_capsule,
-                                  Op::decal_falloff_wedge};
+    static constexpr Op kOps[] = {Op::decal_falloff_box, Op::decal_falloff_cone, Op::decal_falloff_sphere,
+                                  Op::decal_falloff_capsule, Op::decal_falloff_wedge};
     std::vector<ValueId> operands{decal};
     std::uint32_t shape = values[kShape].index;
     if (shape == kCapsule) {
         ValueId per_unit = context.constant(1 / values[kSize].number[2]);
-        operands.push_back(context.builder().add(Op::multiply, {context.number(values[kHalfLength]), per_unit}));
+        operands.push_back(
+            context.builder().add(Op::multiply, {context.number(values[kHalfLength]), per_unit}));
     }
     operands.push_back(context.number(values[kEdge]));
     return context.builder().add(kOps[shape], operands, "falloff");
@@ -74,8 +93,11 @@ ValueId falloff(LowerContext& context, FieldValues values, ValueId decal) {
 ValueId angle_fade(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     ValueId n = context.normal();
-    if (values[kSpace].index == static_cast<std::uint32_t>(Space::object)) n = builder.add(Op::object_normal, {n}, "object_normal");
-    auto cosine = [&](double degrees) { return context.constant(rounded(std::cos(degrees * std::numbers::pi / 180))); };
+    if (values[kSpace].index == static_cast<std::uint32_t>(Space::object))
+        n = builder.add(Op::object_normal, {n}, "object_normal");
+    auto cosine = [&](double degrees) {
+        return context.constant(rounded(std::cos(degrees * std::numbers::pi / 180)));
+    };
     const Vector& angles = values[kAngleFade].number;
     ValueId back = vector(context, axes_of(values[kRotation].number)[2]);
     return builder.add(Op::decal_angle_fade, {n, back, cosine(angles[0]), cosine(angles[1])}, "angle_fade");
@@ -83,7 +105,8 @@ ValueId angle_fade(LowerContext& context, FieldValues values) {
 
 ValueId decal_at(LowerContext& context, FieldValues values) {
     ValueId place = context.volume(static_cast<Space>(values[kSpace].index));
-    return context.builder().add(decal_op(values[kShape].index), {projector(context, values), place}, "decal");
+    return context.builder().add(decal_op(values[kShape].index), {projector(context, values), place},
+                                 "decal");
 }
 
 ValueId coverage(LowerContext& context, FieldValues values, ValueId decal) {
@@ -111,7 +134,9 @@ Covered lower_layer(LowerContext& context, FieldValues values) {
     return {gradient, coverage(context, projector, decal)};
 }
 
-ValueId lower_mask(LowerContext& context, FieldValues values) { return coverage(context, values, decal_at(context, values)); }
+ValueId lower_mask(LowerContext& context, FieldValues values) {
+    return coverage(context, values, decal_at(context, values));
+}
 
 ValueId lower_color(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
@@ -124,26 +149,35 @@ std::optional<FieldFault> check(FieldValues values) {
     std::uint32_t shape = values[first + kShape].index;
     const FieldValue& angles = values[first + kAngleFade];
     if (values[first + kHalfLength].given && shape != kCapsule) {
-        return FieldFault{first + kHalfLength, "only a capsule has a length, expected \"shape\": \"capsule\" beside 'half_length'"};
+        return FieldFault{
+            first + kHalfLength,
+            "only a capsule has a length, expected \"shape\": \"capsule\" beside 'half_length'"};
     }
     if (angles.given && shape == kSphere) {
-        return FieldFault{first + kAngleFade, "a sphere throws its image all ways, expected 'angle_fade' beside another shape"};
+        return FieldFault{first + kAngleFade,
+                          "a sphere throws its image all ways, expected 'angle_fade' beside another shape"};
     }
     if (angles.given && angles.number[0] > angles.number[1]) {
-        return FieldFault{first + kAngleFade, "'angle_fade' runs backwards, expected the smaller angle first"};
+        return FieldFault{first + kAngleFade,
+                          "'angle_fade' runs backwards, expected the smaller angle first"};
     }
     return std::nullopt;
 }
 
 Field image(std::string_view doc, std::vector<ir::TextureEncoding> encodings) {
-    return {.name = "texture", .kind = FieldKind::texture, .required = true, .encodings = std::move(encodings), .doc = doc};
+    return {.name = "texture",
+            .kind = FieldKind::texture,
+            .required = true,
+            .encodings = std::move(encodings),
+            .doc = doc};
 }
 
 std::vector<Field> placement_fields() {
     return {{.name = "shape",
              .kind = FieldKind::choice,
              .choices = {"box", "cone", "sphere", "capsule", "wedge"},
-             .doc = "what the projector reaches. box, capsule, wedge: the image flies in parallel; a cone throws it from its apex, a "
+             .doc = "what the projector reaches. box, capsule, wedge: the image flies in parallel; a cone "
+                    "throws it from its apex, a "
                     "sphere from its centre onto the six faces of a cube"},
             {.name = "space",
              .kind = FieldKind::choice,
@@ -160,14 +194,16 @@ std::vector<Field> placement_fields() {
              .minimum = -3600,
              .maximum = 3600,
              .unit = "degrees",
-             .doc = "about x, then its own y, then its own z; at 0, 0, 0 the image stands upright to +y and flies along -z"},
+             .doc = "about x, then its own y, then its own z; at 0, 0, 0 the image stands upright to +y and "
+                    "flies along -z"},
             {.name = "size",
              .kind = FieldKind::vector,
              .fallback = 1,
              .minimum = 1e-6,
              .maximum = 1e6,
              .unit = "units of the space",
-             .doc = "half the width, height and depth of a box; the radii of a sphere or capsule; of a cone or wedge half the width and "
+             .doc = "half the width, height and depth of a box; the radii of a sphere or capsule; of a cone "
+                    "or wedge half the width and "
                     "height where it ends, and its length"}};
 }
 
@@ -189,7 +225,8 @@ std::vector<Field> reach_fields() {
              .minimum = 0,
              .maximum = 180,
              .unit = "degrees",
-             .doc = "full where the stage's normal is within the first angle of the way back to the projector, nothing from the second on; "
+             .doc = "full where the stage's normal is within the first angle of the way back to the "
+                    "projector, nothing from the second on; "
                     "left out: all angles show"},
             {.name = "cutout",
              .kind = FieldKind::texture,
@@ -226,9 +263,13 @@ const LayerKind& decal() {
     using enum ir::TextureEncoding;
     static const LayerKind kRow{
         .name = "decal",
-        .doc = "a map thrown into space by a projector; strength is a factor on the slope. What it covers (edge, angle_fade, cutout) is a "
-               "factor on its mask: \"blend\": \"add\" adds it to what lies below, \"mix\" replaces that",
-        .fields = joined({{image("the map", {tangent_normal, tangent_normal_xy, derivative})}, placement_fields(), reach_fields()}),
+        .doc =
+            "a map thrown into space by a projector; strength is a factor on the slope. What it covers "
+            "(edge, angle_fade, cutout) is a "
+            "factor on its mask: \"blend\": \"add\" adds it to what lies below, \"mix\" replaces that",
+        .fields = joined({{image("the map", {tangent_normal, tangent_normal_xy, derivative})},
+                          placement_fields(),
+                          reach_fields()}),
         .check = check<kBehindImage>,
         .lower_covered = lower_layer,
     };

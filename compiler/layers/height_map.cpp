@@ -17,7 +17,8 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
     if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
         uv = builder.add(ir::Op::uv_scale, {uv, context.pair(tiling)}, "uv");
     }
-    if (values[kMethod].index == kScreen) return builder.add_indexed(ir::Op::surfgrad_from_three_taps, texture, {frame, uv});
+    if (values[kMethod].index == kScreen)
+        return builder.add_indexed(ir::Op::surfgrad_from_three_taps, texture, {frame, uv});
     ir::Op method = values[kMethod].index == kHq ? ir::Op::deriv_from_height_hq : ir::Op::deriv_from_height;
     ir::ValueId deriv = builder.add_indexed(method, texture, {uv}, "deriv");
     return builder.add_indexed(ir::Op::surfgrad_from_height, texture, {frame, uv, deriv});
@@ -29,25 +30,28 @@ const LayerKind& height_map() {
     static const LayerKind kRow{
         .name = "height_map",
         .doc = "a height map on a uv set; strength is the world length of the height 1 (red channel)",
-        .fields = {{.name = "texture",
-                    .kind = FieldKind::texture,
-                    .required = true,
-                    .encodings = {ir::TextureEncoding::height},
-                    .doc = "the map"},
-                   {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that places the map, or an object that transforms one"},
-                   {.name = "tiling",
-                    .kind = FieldKind::pair,
-                    .fallback = 1,
-                    .minimum = -10000,
-                    .maximum = 10000,
-                    .unit = "repeats per uv unit",
-                    .doc = "how often the map repeats along s and t; negative values mirror"},
-                   {.name = "method",
-                    .kind = FieldKind::choice,
-                    .fallback = kHq,
-                    .choices = {"forward", "hq", "screen"},
-                    .doc = "forward difference over at least a texel; smooth under magnification (Eq 20 and 21); "
-                           "difference to the neighbouring pixels (Listing 7)"}},
+        .fields =
+            {{.name = "texture",
+              .kind = FieldKind::texture,
+              .required = true,
+              .encodings = {ir::TextureEncoding::height},
+              .doc = "the map"},
+             {.name = "uv",
+              .kind = FieldKind::uv,
+              .doc = "the uv set that places the map, or an object that transforms one"},
+             {.name = "tiling",
+              .kind = FieldKind::pair,
+              .fallback = 1,
+              .minimum = -10000,
+              .maximum = 10000,
+              .unit = "repeats per uv unit",
+              .doc = "how often the map repeats along s and t; negative values mirror"},
+             {.name = "method",
+              .kind = FieldKind::choice,
+              .fallback = kHq,
+              .choices = {"forward", "hq", "screen"},
+              .doc = "forward difference over at least a texel; smooth under magnification (Eq 20 and 21); "
+                     "difference to the neighbouring pixels (Listing 7)"}},
         .lower = lower,
     };
     return kRow;

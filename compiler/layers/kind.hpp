@@ -1,5 +1,6 @@
-// The tables of layer kinds and node kinds: one row per kind, one file per layer kind. Reading, checking, defaults,
-// ranges, documentation and lowering all come from the row; nothing else in the compiler names a kind.
+// The tables of layer kinds and node kinds: one row per kind, one file per layer kind. Reading, checking,
+// defaults, ranges, documentation and lowering all come from the row; nothing else in the compiler names a
+// kind.
 #pragma once
 
 #include <array>
@@ -14,14 +15,14 @@
 namespace sg::layers {
 
 enum class FieldKind {
-    texture,   // the name of a declared texture
-    uv,        // a uv set 0..7, or an object that transforms one
-    choice,    // one of `choices`
-    integer,   // a whole number
-    number,    // a number, "$parameter", "@node" or a node written in place
-    pair,      // a number (for both), two numbers, or "$parameter" of type float or vec2
-    color,     // three numbers, "$parameter" of type color or vec3, "@node" or a node
-    vector,    // three numbers
+    texture,    // the name of a declared texture
+    uv,         // a uv set 0..7, or an object that transforms one
+    choice,     // one of `choices`
+    integer,    // a whole number
+    number,     // a number, "$parameter", "@node" or a node written in place
+    pair,       // a number (for both), two numbers, or "$parameter" of type float or vec2
+    color,      // three numbers, "$parameter" of type color or vec3, "@node" or a node
+    vector,     // three numbers
     direction,  // three numbers, not all 0; unit when checked
     range       // two numbers
 };
@@ -30,8 +31,9 @@ struct Field {
     std::string_view name;
     FieldKind kind{};
     bool required = false;
-    double fallback = 0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the default
-    double minimum = 0;   // number, pair, color, vector, integer
+    double fallback =
+        0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the default
+    double minimum = 0;  // number, pair, color, vector, integer
     double maximum = 0;
     std::vector<std::string_view> choices;
     std::vector<ir::TextureEncoding> encodings;  // texture: what can be read
@@ -57,7 +59,8 @@ struct Coordinate {
 
 // The checked value of a field: which member counts follows from the field's kind.
 struct FieldValue {
-    std::array<double, 3> number{};  // number, pair, color, vector, direction, range; valid when neither of the next two is
+    std::array<double, 3>
+        number{};  // number, pair, color, vector, direction, range; valid when neither of the next two is
     ir::ParameterId parameter;
     NodeId node;
     std::uint32_t index = 0;  // texture: into the module's textures; choice; integer
@@ -84,7 +87,8 @@ struct LayerKind {
     std::string_view name;
     std::string_view doc;
     std::vector<Field> fields;
-    std::optional<FieldFault> (*check)(FieldValues values) = nullptr;  // at most one fault; null: none is possible
+    std::optional<FieldFault> (*check)(FieldValues values) =
+        nullptr;  // at most one fault; null: none is possible
     // The layer's surface gradient at strength 1, unmasked. Cannot fail.
     ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
     // In place of `lower`, for kinds that cover a part of the surface.

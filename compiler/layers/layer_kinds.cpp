@@ -15,8 +15,8 @@ const LayerKind& normal_blend();
 
 std::span<const LayerKind* const> all_kinds() {
     static const LayerKind* const kKinds[] = {
-        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(), &planar(), &noise(), &decal(),
-        &normal_blend(),
+        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(),
+        &planar(),     &noise(),          &decal(),      &normal_blend(),
     };
     return kKinds;
 }

@@ -13,9 +13,13 @@ using ir::Op;
 using ir::Type;
 using ir::ValueId;
 
-LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes,
-                           bool mirror)
-    : builder_(builder), facts_(std::move(facts)), nodes_(std::move(nodes)), node_values_(nodes_.size()), mirror_(mirror) {}
+LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts,
+                           std::vector<NodeInstance> nodes, bool mirror)
+    : builder_(builder),
+      facts_(std::move(facts)),
+      nodes_(std::move(nodes)),
+      node_values_(nodes_.size()),
+      mirror_(mirror) {}
 
 void LowerContext::set_layer(ir::LayerId layer) {
     layer_ = layer;
@@ -36,7 +40,8 @@ ValueId LowerContext::shared(ValueId& slot, Make make) {
     if (slot.valid()) return slot;
     ir::LayerId before = std::exchange(layer_, ir::LayerId{});
     builder_.set_layer(layer_);
-    ValueId made = make();  // may move `slot`'s container, but never the slot of a container that is filled here
+    ValueId made =
+        make();  // may move `slot`'s container, but never the slot of a container that is filled here
     slot = made;
     set_layer(before);
     return made;
@@ -78,7 +83,9 @@ ValueId LowerContext::first_frame() {
 
 ValueId LowerContext::frame() {
     if (frames_.size() == 1) return first_frame();
-    return shared(frames_.back(), [&] { return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame"); });
+    return shared(frames_.back(), [&] {
+        return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame");
+    });
 }
 
 ValueId LowerContext::basis_vertex() {
@@ -87,11 +94,14 @@ ValueId LowerContext::basis_vertex() {
         return builder_.add(Op::basis_vertex, {n, builder_.add(Op::vertex_tangent)}, "basis_vertex");
     });
     if (bases_.size() == 1) return tangents;
-    return shared(bases_.back(), [&] { return builder_.add(Op::basis_resolved, {tangents, normal()}, "basis_vertex"); });
+    return shared(bases_.back(), [&] {
+        return builder_.add(Op::basis_resolved, {tangents, normal()}, "basis_vertex");
+    });
 }
 
 ValueId LowerContext::uv_set(std::uint32_t set) {
-    return shared(uv_sets_[set], [&] { return builder_.add_indexed(Op::uv_set, set, {}, fmt::format("uv{}", set)); });
+    return shared(uv_sets_[set],
+                  [&] { return builder_.add_indexed(Op::uv_set, set, {}, fmt::format("uv{}", set)); });
 }
 
 ValueId LowerContext::uv(const Coordinate& c) {
@@ -99,7 +109,8 @@ ValueId LowerContext::uv(const Coordinate& c) {
     if (c.is_plain()) return base;
     ValueId scale = builder_.constant(Type::Vec2, {c.scale[0], c.scale[1]});
     bool moves = c.speed != std::array{0.0, 0.0};
-    if (c.rotation == 0 && c.offset == std::array{0.0, 0.0} && !moves) return builder_.add(Op::uv_scale, {base, scale}, "uv");
+    if (c.rotation == 0 && c.offset == std::array{0.0, 0.0} && !moves)
+        return builder_.add(Op::uv_scale, {base, scale}, "uv");
     ValueId offset = builder_.constant(Type::Vec2, {c.offset[0], c.offset[1]});
     if (moves) {
         ValueId speed = builder_.constant(Type::Vec2, {c.speed[0], c.speed[1]});
@@ -116,7 +127,9 @@ ValueId LowerContext::volume(Space space) {
     });
 }
 
-ValueId LowerContext::constant(double number) { return builder_.constant(Type::Scalar, {number}); }
+ValueId LowerContext::constant(double number) {
+    return builder_.constant(Type::Scalar, {number});
+}
 
 ValueId LowerContext::number(const FieldValue& value) {
     if (value.node.valid()) return node(value.node, Type::Scalar);
@@ -171,7 +184,8 @@ void LowerContext::lower_operands(NodeId id) {
 }
 
 ValueId LowerContext::node(NodeId id, Type wanted) {
-    constexpr std::size_t kDeep = 200;  // nodes calling each other; the program's stack holds no more than thousands
+    constexpr std::size_t kDeep =
+        200;  // nodes calling each other; the program's stack holds no more than thousands
     if (depth_ >= kDeep && !node_values_[id.index].valid()) lower_operands(id);
     ValueId value = lowered(id);
     if (builder_.module().at(value).type == wanted) return value;
@@ -188,10 +202,13 @@ MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue&
     }
     place.uv = uv(coordinate);
     auto turn = [&](ValueId scale) {
-        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by themselves.
-        if (from_vertex) place.vertex_basis = builder_.add(Op::basis_mirror, {place.vertex_basis, scale}, "basis");
+        // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by
+        // themselves.
+        if (from_vertex)
+            place.vertex_basis = builder_.add(Op::basis_mirror, {place.vertex_basis, scale}, "basis");
     };
-    if (coordinate.scale != std::array{1.0, 1.0}) turn(builder_.constant(Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
+    if (coordinate.scale != std::array{1.0, 1.0})
+        turn(builder_.constant(Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
     if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
         ValueId scale = pair(tiling);
         place.uv = builder_.add(Op::uv_scale, {place.uv, scale}, "uv");
@@ -201,7 +218,8 @@ MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue&
 }
 
 ValueId LowerContext::basis_of(const MapPlace& place) {
-    return place.vertex_basis.valid() ? place.vertex_basis : builder_.add(Op::basis_uv, {frame(), place.uv}, "basis");
+    return place.vertex_basis.valid() ? place.vertex_basis
+                                      : builder_.add(Op::basis_uv, {frame(), place.uv}, "basis");
 }
 
 ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
@@ -214,14 +232,16 @@ ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
         deriv = builder_.add_zero(Op::decode_derivative, f.zero, {texel, constant(f.range)}, "deriv");
     } else {
         bool xyz = encoding == tangent_normal;
-        ValueId m = builder_.add_zero(xyz ? Op::decode_normal_xyz : Op::decode_normal_xy, f.zero, {texel}, "m");
+        ValueId m =
+            builder_.add_zero(xyz ? Op::decode_normal_xyz : Op::decode_normal_xy, f.zero, {texel}, "m");
         deriv = builder_.add(xyz ? Op::deriv_from_normal_xyz : Op::deriv_from_normal_xy, {m}, "deriv");
     }
     return f.green_up ? builder_.add(Op::deriv_green_up, {deriv}, "deriv") : deriv;
 }
 
 ValueId LowerContext::surfgrad_from_local(ValueId local_gradient, Space space) {
-    ValueId gradient = builder_.add(space == Space::object ? Op::gradient_from_object : Op::gradient_from_world, {local_gradient});
+    ValueId gradient = builder_.add(
+        space == Space::object ? Op::gradient_from_object : Op::gradient_from_world, {local_gradient});
     return builder_.add(Op::surfgrad_from_volume, {normal(), gradient});
 }
 

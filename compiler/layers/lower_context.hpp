@@ -26,7 +26,8 @@ struct NodeInstance {
 
 enum class Space : std::uint32_t { object, world };
 
-// Where a map lies: its coordinate, and the vertex basis turned with it; invalid where tangents come from the coordinate.
+// Where a map lies: its coordinate, and the vertex basis turned with it; invalid where tangents come from the
+// coordinate.
 struct MapPlace {
     ir::ValueId uv, vertex_basis;
 };
@@ -34,7 +35,8 @@ struct MapPlace {
 class LowerContext {
 public:
     // `facts` has one entry per texture of the module. `mirror`: the base normal turns to the visible side.
-    LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes, bool mirror);
+    LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes,
+                 bool mirror);
 
     ir::Builder& builder() { return builder_; }
     // Values that are made from here on belong to this layer; shared ones belong to none.
@@ -72,7 +74,9 @@ public:
     ir::ValueId vertex_tangents() const { return vertex_tangents_; }
     // Invalid where no layer asked for it.
     [[nodiscard]] ir::ValueId made_vertex_color() const { return vertex_color_; }
-    [[nodiscard]] ir::ValueId made_volume(Space space) const { return volumes_[static_cast<std::size_t>(space)]; }
+    [[nodiscard]] ir::ValueId made_volume(Space space) const {
+        return volumes_[static_cast<std::size_t>(space)];
+    }
     [[nodiscard]] const std::map<std::uint32_t, ir::ValueId>& uv_sets() const { return uv_sets_; }
 
 private:

@@ -1,4 +1,5 @@
-// THE table of node kinds: what a mask, a strength or a surface input may be computed from. A kind is one row here.
+// THE table of node kinds: what a mask, a strength or a surface input may be computed from. A kind is one row
+// here.
 #include "layers/kind.hpp"
 #include "layers/lower_context.hpp"
 
@@ -89,7 +90,9 @@ ValueId vertex_color(LowerContext& context, FieldValues values) {
     return context.builder().add_indexed(Op::channel_of, values[0].index, {context.vertex_color()});
 }
 
-ValueId vertex_rgb(LowerContext& context, FieldValues) { return context.builder().add(Op::rgb_of, {context.vertex_color()}); }
+ValueId vertex_rgb(LowerContext& context, FieldValues) {
+    return context.builder().add(Op::rgb_of, {context.vertex_color()});
+}
 
 ValueId slope(LowerContext& context, FieldValues values) {
     const auto& up = values[0].number;
@@ -119,22 +122,38 @@ ValueId noise(LowerContext& context, FieldValues values) {
 // ---- fields that several kinds have ----
 
 Field number(std::string_view name, std::string_view doc) {
-    return {.name = name, .kind = FieldKind::number, .required = true, .minimum = -1e6, .maximum = 1e6, .doc = doc};
+    return {.name = name,
+            .kind = FieldKind::number,
+            .required = true,
+            .minimum = -1e6,
+            .maximum = 1e6,
+            .doc = doc};
 }
 Field color(std::string_view name, std::string_view doc) {
-    return {.name = name, .kind = FieldKind::color, .required = true, .minimum = 0, .maximum = 1e4, .doc = doc};
+    return {
+        .name = name, .kind = FieldKind::color, .required = true, .minimum = 0, .maximum = 1e4, .doc = doc};
 }
 Field range(std::string_view name, std::string_view doc, bool required = false) {
-    return {.name = name, .kind = FieldKind::range, .required = required, .minimum = -1e6, .maximum = 1e6, .doc = doc};
+    return {.name = name,
+            .kind = FieldKind::range,
+            .required = required,
+            .minimum = -1e6,
+            .maximum = 1e6,
+            .doc = doc};
 }
 Field channel(std::string_view doc) {
     return {.name = "channel", .kind = FieldKind::choice, .choices = {"r", "g", "b", "a"}, .doc = doc};
 }
 Field space() {
-    return {.name = "space", .kind = FieldKind::choice, .choices = {"object", "world"}, .doc = "where it is measured"};
+    return {.name = "space",
+            .kind = FieldKind::choice,
+            .choices = {"object", "world"},
+            .doc = "where it is measured"};
 }
 Field uv() {
-    return {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that places the image, or an object that transforms one"};
+    return {.name = "uv",
+            .kind = FieldKind::uv,
+            .doc = "the uv set that places the image, or an object that transforms one"};
 }
 Field tiling() {
     return {.name = "tiling",
@@ -145,20 +164,53 @@ Field tiling() {
             .unit = "repeats per uv unit",
             .doc = "how often the image repeats along s and t"};
 }
-constexpr std::string_view kRangeDoc = "goes smoothly from 0 at the first number to 1 at the second; left out: the value itself";
+constexpr std::string_view kRangeDoc =
+    "goes smoothly from 0 at the first number to 1 at the second; left out: the value itself";
 
 std::vector<NodeKind> arithmetic() {
     Field a = number("a", "first number"), b = number("b", "second number"), x = number("x", "the number");
     Field t = number("t", "0 gives a, 1 gives b");
     return {
-        {.name = "add", .doc = "a + b", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::add>},
-        {.name = "subtract", .doc = "a - b", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::subtract>},
-        {.name = "multiply", .doc = "a b", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::multiply>},
-        {.name = "divide", .doc = "a / b; 0 where b is 0", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::divide>},
-        {.name = "min", .doc = "the smaller", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::minimum>},
-        {.name = "max", .doc = "the larger", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::maximum>},
-        {.name = "power", .doc = "a^b; 0 where a <= 0", .result = Type::Scalar, .fields = {a, b}, .lower = two_numbers<Op::power>},
-        {.name = "mix", .doc = "a (1 - t) + b t", .result = Type::Scalar, .fields = {a, b, t}, .lower = three_numbers<Op::mix>},
+        {.name = "add",
+         .doc = "a + b",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::add>},
+        {.name = "subtract",
+         .doc = "a - b",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::subtract>},
+        {.name = "multiply",
+         .doc = "a b",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::multiply>},
+        {.name = "divide",
+         .doc = "a / b; 0 where b is 0",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::divide>},
+        {.name = "min",
+         .doc = "the smaller",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::minimum>},
+        {.name = "max",
+         .doc = "the larger",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::maximum>},
+        {.name = "power",
+         .doc = "a^b; 0 where a <= 0",
+         .result = Type::Scalar,
+         .fields = {a, b},
+         .lower = two_numbers<Op::power>},
+        {.name = "mix",
+         .doc = "a (1 - t) + b t",
+         .result = Type::Scalar,
+         .fields = {a, b, t},
+         .lower = three_numbers<Op::mix>},
         {.name = "clamp",
          .doc = "x kept within two bounds",
          .result = Type::Scalar,
@@ -196,8 +248,16 @@ std::vector<NodeKind> arithmetic() {
 
 std::vector<NodeKind> sources() {
     using Encoding = ir::TextureEncoding;
-    Field image{.name = "texture", .kind = FieldKind::texture, .required = true, .encodings = {Encoding::mask, Encoding::color, Encoding::height}, .doc = "the image"};
-    Field picture{.name = "texture", .kind = FieldKind::texture, .required = true, .encodings = {Encoding::color}, .doc = "the image"};
+    Field image{.name = "texture",
+                .kind = FieldKind::texture,
+                .required = true,
+                .encodings = {Encoding::mask, Encoding::color, Encoding::height},
+                .doc = "the image"};
+    Field picture{.name = "texture",
+                  .kind = FieldKind::texture,
+                  .required = true,
+                  .encodings = {Encoding::color},
+                  .doc = "the image"};
     return {
         {.name = "texture",
          .doc = "one channel of a texture",
@@ -209,14 +269,26 @@ std::vector<NodeKind> sources() {
          .result = Type::Color,
          .fields = {picture, uv(), tiling()},
          .lower = texture_color},
-        {.name = "vertex_color", .doc = "one channel of the vertex colour", .result = Type::Scalar, .fields = {channel("which channel")}, .lower = vertex_color},
+        {.name = "vertex_color",
+         .doc = "one channel of the vertex colour",
+         .result = Type::Scalar,
+         .fields = {channel("which channel")},
+         .lower = vertex_color},
         {.name = "vertex_rgb", .doc = "the vertex colour", .result = Type::Color, .lower = vertex_rgb},
         {.name = "slope",
          .doc = "the cosine between the stage's normal and a direction in the world",
          .result = Type::Scalar,
-         .fields = {{.name = "up", .kind = FieldKind::direction, .required = true, .doc = "the direction, world axes"}, range("range", kRangeDoc)},
+         .fields = {{.name = "up",
+                     .kind = FieldKind::direction,
+                     .required = true,
+                     .doc = "the direction, world axes"},
+                    range("range", kRangeDoc)},
          .lower = slope},
-        {.name = "height", .doc = "the y coordinate of the surface", .result = Type::Scalar, .fields = {space(), range("range", kRangeDoc)}, .lower = height},
+        {.name = "height",
+         .doc = "the y coordinate of the surface",
+         .result = Type::Scalar,
+         .fields = {space(), range("range", kRangeDoc)},
+         .lower = height},
         {.name = "distance",
          .doc = "how far the surface is from the camera, world units",
          .result = Type::Scalar,
@@ -225,10 +297,24 @@ std::vector<NodeKind> sources() {
         {.name = "noise",
          .doc = "the value of a noise",
          .result = Type::Scalar,
-         .fields = {{.name = "function", .kind = FieldKind::choice, .choices = {"fractal_sum", "turbulence"}, .doc = "the sum of octaves, or of their magnitudes"},
+         .fields = {{.name = "function",
+                     .kind = FieldKind::choice,
+                     .choices = {"fractal_sum", "turbulence"},
+                     .doc = "the sum of octaves, or of their magnitudes"},
                     space(),
-                    {.name = "frequency", .kind = FieldKind::number, .fallback = 1, .minimum = 1e-6, .maximum = 1e6, .unit = "cells per unit", .doc = "of the first octave"},
-                    {.name = "octaves", .kind = FieldKind::integer, .fallback = 4, .minimum = 1, .maximum = 16, .doc = "how many"},
+                    {.name = "frequency",
+                     .kind = FieldKind::number,
+                     .fallback = 1,
+                     .minimum = 1e-6,
+                     .maximum = 1e6,
+                     .unit = "cells per unit",
+                     .doc = "of the first octave"},
+                    {.name = "octaves",
+                     .kind = FieldKind::integer,
+                     .fallback = 4,
+                     .minimum = 1,
+                     .maximum = 16,
+                     .doc = "how many"},
                     range("range", kRangeDoc)},
          .lower = noise},
     };

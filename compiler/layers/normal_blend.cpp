@@ -8,7 +8,18 @@ namespace {
 using ir::Op;
 using ir::ValueId;
 
-enum FieldIndex : std::size_t { kMethod, kTexture, kUv, kBasis, kTiling, kWeight, kSecondTexture, kSecondUv, kSecondTiling, kSecondWeight };
+enum FieldIndex : std::size_t {
+    kMethod,
+    kTexture,
+    kUv,
+    kBasis,
+    kTiling,
+    kWeight,
+    kSecondTexture,
+    kSecondUv,
+    kSecondTiling,
+    kSecondWeight
+};
 enum MethodChoice : std::uint32_t { kPd, kWhiteout, kUdn, kRnm, kWeighted };
 enum BasisChoice : std::uint32_t { kBasisUv, kBasisVertex };
 
@@ -25,17 +36,23 @@ bool aligned(FieldValues values) {
 
 std::optional<FieldFault> check(FieldValues values) {
     if (values[kBasis].index == kBasisVertex && values[kUv].uv.set != 0) {
-        return FieldFault{kBasis, "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
+        return FieldFault{kBasis,
+                          "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
     }
     if (values[kBasis].index == kBasisVertex && values[kUv].uv.rotation != 0) {
-        return FieldFault{kBasis, "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
+        return FieldFault{
+            kBasis,
+            "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
     }
     if (values[kMethod].index == kRnm && !aligned(values)) {
-        return FieldFault{kMethod, "'rnm' turns one map by the other, expected both on one uv set, turned and mirrored alike"};
+        return FieldFault{
+            kMethod,
+            "'rnm' turns one map by the other, expected both on one uv set, turned and mirrored alike"};
     }
     for (std::size_t weight : {kWeight, kSecondWeight}) {
         if (values[weight].given && values[kMethod].index != kWeighted) {
-            return FieldFault{weight, "only 'weighted' has weights, expected \"method\": \"weighted\" beside them"};
+            return FieldFault{weight,
+                              "only 'weighted' has weights, expected \"method\": \"weighted\" beside them"};
         }
     }
     return std::nullopt;
@@ -48,14 +65,17 @@ std::array<ValueId, 2> blended(LowerContext& context, FieldValues values, std::a
     if (method == kPd) return derivs;
     if (method == kWeighted) {
         ValueId first = builder.add(Op::scale_deriv, {context.number(values[kWeight]), derivs[0]}, "deriv");
-        return {first, builder.add(Op::scale_deriv, {context.number(values[kSecondWeight]), derivs[1]}, "second_deriv")};
+        return {first, builder.add(Op::scale_deriv, {context.number(values[kSecondWeight]), derivs[1]},
+                                   "second_deriv")};
     }
-    ValueId a = builder.add(Op::normal_from_deriv, {derivs[0]}, "m"), b = builder.add(Op::normal_from_deriv, {derivs[1]}, "second_m");
+    ValueId a = builder.add(Op::normal_from_deriv, {derivs[0]}, "m"),
+            b = builder.add(Op::normal_from_deriv, {derivs[1]}, "second_m");
     if (method == kRnm) {
         ValueId turned = builder.add(Op::combine_rnm, {a, b}, "m");
         return {builder.add(Op::deriv_from_map_normal, {turned}, "deriv"), ValueId{}};
     }
-    ValueId pair = builder.add(method == kWhiteout ? Op::combine_whiteout : Op::combine_udn, {a, b}, "derivs");
+    ValueId pair =
+        builder.add(method == kWhiteout ? Op::combine_whiteout : Op::combine_udn, {a, b}, "derivs");
     return {builder.add(Op::pair_first, {pair}), builder.add(Op::pair_second, {pair})};
 }
 
@@ -64,7 +84,8 @@ ValueId lower(LowerContext& context, FieldValues values) {
     MapPlace first = context.place_map(values[kUv].uv, values[kTiling], values[kBasis].index == kBasisVertex);
     MapPlace second = context.place_map(values[kSecondUv].uv, values[kSecondTiling], false);
     ValueId deriv = context.map_deriv({values[kTexture].index}, first.uv);
-    auto [a, b] = blended(context, values, {deriv, context.map_deriv({values[kSecondTexture].index}, second.uv)});
+    auto [a, b] =
+        blended(context, values, {deriv, context.map_deriv({values[kSecondTexture].index}, second.uv)});
     ValueId gradient = builder.add(Op::surfgrad_from_tbn, {a, context.basis_of(first)});
     if (!b.valid()) return gradient;
     ValueId other = builder.add(Op::surfgrad_from_tbn, {b, context.basis_of(second)});
@@ -89,7 +110,12 @@ Field tiling(std::string_view name) {
             .doc = "how often the map repeats along s and t; negative values mirror"};
 }
 Field weight(std::string_view name) {
-    return {.name = name, .kind = FieldKind::number, .fallback = 1, .minimum = -1000, .maximum = 1000, .doc = "of 'weighted': the factor on the map's slope"};
+    return {.name = name,
+            .kind = FieldKind::number,
+            .fallback = 1,
+            .minimum = -1000,
+            .maximum = 1000,
+            .doc = "of 'weighted': the factor on the map's slope"};
 }
 
 }  // namespace
@@ -97,25 +123,34 @@ Field weight(std::string_view name) {
 const LayerKind& normal_blend() {
     static const LayerKind kRow{
         .name = "normal_blend",
-        .doc = "two tangent-space maps put together in one of the ways in use, across uv sets; strength is a factor on the slope",
+        .doc =
+            "two tangent-space maps put together in one of the ways in use, across uv sets; strength is a "
+            "factor on the slope",
         .fields = {{.name = "method",
                     .kind = FieldKind::choice,
                     .choices = {"pd", "whiteout", "udn", "rnm", "weighted"},
-                    .doc = "pd: slopes add, as two layers of kind normal_map do; whiteout: each is steeper where the other is; udn: the second is "
-                           "flatter where the first is steep; rnm: the second stands on the first (one uv set, turned and mirrored alike); "
+                    .doc = "pd: slopes add, as two layers of kind normal_map do; whiteout: each is steeper "
+                           "where the other is; udn: the second is "
+                           "flatter where the first is steep; rnm: the second stands on the first (one uv "
+                           "set, turned and mirrored alike); "
                            "weighted: slopes add with a factor each"},
                    map("texture", "the first map"),
-                   {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that places the first map, or an object that transforms one"},
+                   {.name = "uv",
+                    .kind = FieldKind::uv,
+                    .doc = "the uv set that places the first map, or an object that transforms one"},
                    {.name = "basis",
                     .kind = FieldKind::choice,
                     .fallback = kBasisUv,
                     .choices = {"uv", "vertex"},
-                    .doc = "of the first map: tangents from the derivatives of the uv set, or mikkTSpace-compliant from the vertex (uv 0 only); "
+                    .doc = "of the first map: tangents from the derivatives of the uv set, or "
+                           "mikkTSpace-compliant from the vertex (uv 0 only); "
                            "the second takes them from its uv set"},
                    tiling("tiling"),
                    weight("weight"),
                    map("second_texture", "the second map"),
-                   {.name = "second_uv", .kind = FieldKind::uv, .doc = "the uv set that places the second map, or an object that transforms one"},
+                   {.name = "second_uv",
+                    .kind = FieldKind::uv,
+                    .doc = "the uv set that places the second map, or an object that transforms one"},
                    tiling("second_tiling"),
                    weight("second_weight")},
         .check = check,

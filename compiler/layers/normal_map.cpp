@@ -11,13 +11,17 @@ enum ScaleChoice : std::uint32_t { kScaleSlope, kScaleDependent };
 
 std::optional<FieldFault> check(FieldValues values) {
     if (values[kBasis].index == kBasisVertex && values[kUv].uv.set != 0) {
-        return FieldFault{kBasis, "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
+        return FieldFault{kBasis,
+                          "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
     }
     if (values[kBasis].index == kBasisVertex && values[kUv].uv.rotation != 0) {
-        return FieldFault{kBasis, "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
+        return FieldFault{
+            kBasis,
+            "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
     }
     if (values[kScale].index == kScaleDependent && values[kBasis].given) {
-        return FieldFault{kBasis, "a scale-dependent map needs no basis, expected \"scale\": \"slope\" beside it"};
+        return FieldFault{kBasis,
+                          "a scale-dependent map needs no basis, expected \"scale\": \"slope\" beside it"};
     }
     return std::nullopt;
 }
@@ -29,7 +33,8 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::ValueId deriv = context.map_deriv({values[kTexture].index}, place.uv);
     ir::Builder& builder = context.builder();
     if (!scale_dependent) return builder.add(ir::Op::surfgrad_from_tbn, {deriv, context.basis_of(place)});
-    return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index, {context.frame(), place.uv, deriv});
+    return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index,
+                               {context.frame(), place.uv, deriv});
 }
 
 std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::string_view texture_doc) {
@@ -38,12 +43,15 @@ std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::strin
              .required = true,
              .encodings = std::move(encodings),
              .doc = texture_doc},
-            {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that places the map, or an object that transforms one"},
+            {.name = "uv",
+             .kind = FieldKind::uv,
+             .doc = "the uv set that places the map, or an object that transforms one"},
             {.name = "basis",
              .kind = FieldKind::choice,
              .fallback = kBasisUv,
              .choices = {"uv", "vertex"},
-             .doc = "tangents from the derivatives of the uv set, or mikkTSpace-compliant from the vertex (uv 0 only)"},
+             .doc = "tangents from the derivatives of the uv set, or mikkTSpace-compliant from the vertex "
+                    "(uv 0 only)"},
             {.name = "tiling",
              .kind = FieldKind::pair,
              .fallback = 1,
@@ -55,7 +63,8 @@ std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::strin
              .kind = FieldKind::choice,
              .fallback = kScaleSlope,
              .choices = {"slope", "displacement"},
-             .doc = "slope: strength is a factor on the slope, whatever the tiling; displacement: strength is the world "
+             .doc = "slope: strength is a factor on the slope, whatever the tiling; displacement: strength "
+                    "is the world "
                     "length of a height of one texel, and tiling and object size count (Eq 7)"}};
 }
 

@@ -12,7 +12,8 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::TextureId texture{values[kTexture].index};
     bool object = builder.module().textures[texture.index].encoding == ir::TextureEncoding::object_normal;
     ir::ValueId n = context.normal();
-    ir::ValueId texel = builder.add_indexed(ir::Op::sample, texture.index, {context.uv(values[kUv].uv)}, "texel");
+    ir::ValueId texel =
+        builder.add_indexed(ir::Op::sample, texture.index, {context.uv(values[kUv].uv)}, "texel");
     ir::ValueId stored = builder.add_zero(object ? ir::Op::decode_object_normal : ir::Op::decode_world_normal,
                                           context.facts(texture).zero, {texel}, "stored_normal");
     if (object) stored = builder.add(ir::Op::normal_from_object, {stored}, "stored_normal");
@@ -25,13 +26,17 @@ const LayerKind& object_normal_map() {
     using enum ir::TextureEncoding;
     static const LayerKind kRow{
         .name = "object_normal_map",
-        .doc = "a map of perturbed normals in object or world space; strength is a factor on the slope against the base normal",
+        .doc =
+            "a map of perturbed normals in object or world space; strength is a factor on the slope against "
+            "the base normal",
         .fields = {{.name = "texture",
                     .kind = FieldKind::texture,
                     .required = true,
                     .encodings = {object_normal, world_normal},
                     .doc = "the map; its encoding says the space"},
-                   {.name = "uv", .kind = FieldKind::uv, .doc = "the uv set that the map was baked on, or an object that transforms one"}},
+                   {.name = "uv",
+                    .kind = FieldKind::uv,
+                    .doc = "the uv set that the map was baked on, or an object that transforms one"}},
         .lower = lower,
     };
     return kRow;

@@ -8,7 +8,16 @@ namespace {
 using ir::Op;
 using ir::ValueId;
 
-enum FieldIndex : std::size_t { kTexture, kSpace, kTiling, kHand, kOrigin, kExponentOrAxis, kTextureX, kTextureZ };
+enum FieldIndex : std::size_t {
+    kTexture,
+    kSpace,
+    kTiling,
+    kHand,
+    kOrigin,
+    kExponentOrAxis,
+    kTextureX,
+    kTextureZ
+};
 
 struct Lookup {
     Space space{};
@@ -38,12 +47,14 @@ ValueId lower_triplanar(LowerContext& context, FieldValues values) {
     ValueId n = context.normal();
     Lookup from = lookup(context, values);
     ValueId local_n = from.space == Space::object ? builder.add(Op::object_normal, {n}, "object_normal") : n;
-    ValueId weights = builder.add(Op::triplanar_weights, {local_n, context.number(values[kExponentOrAxis])}, "weights");
+    ValueId weights =
+        builder.add(Op::triplanar_weights, {local_n, context.number(values[kExponentOrAxis])}, "weights");
     std::uint32_t y = values[kTexture].index;
     ValueId d_x = plane(context, from, 0, values[kTextureX].given ? values[kTextureX].index : y);
     ValueId d_y = plane(context, from, 1, y);
     ValueId d_z = plane(context, from, 2, values[kTextureZ].given ? values[kTextureZ].index : y);
-    ValueId gradient = builder.add_indexed(Op::triplanar_gradient, from.corner, {weights, d_x, d_y, d_z}, "gradient");
+    ValueId gradient =
+        builder.add_indexed(Op::triplanar_gradient, from.corner, {weights, d_x, d_y, d_z}, "gradient");
     return context.surfgrad_from_local(gradient, from.space);
 }
 
@@ -53,7 +64,8 @@ ValueId lower_planar(LowerContext& context, FieldValues values) {
     std::uint32_t axis = values[kExponentOrAxis].index;
     ValueId d = plane(context, from, axis, values[kTexture].index);
     ValueId weights = builder.add_indexed(Op::planar_weights, axis);
-    ValueId gradient = builder.add_indexed(Op::triplanar_gradient, from.corner, {weights, d, d, d}, "gradient");
+    ValueId gradient =
+        builder.add_indexed(Op::triplanar_gradient, from.corner, {weights, d, d, d}, "gradient");
     return context.surfgrad_from_local(gradient, from.space);
 }
 
@@ -79,7 +91,8 @@ std::vector<Field> common(std::string_view texture_doc) {
             {.name = "hand",
              .kind = FieldKind::choice,
              .choices = {"right", "left"},
-             .doc = "which way the images of x and y run along z, as texture tools for right- or left-handed worlds have it"},
+             .doc = "which way the images of x and y run along z, as texture tools for right- or left-handed "
+                    "worlds have it"},
             {.name = "origin",
              .kind = FieldKind::choice,
              .choices = {"upper_left", "lower_left"},
@@ -92,7 +105,9 @@ const LayerKind& triplanar() {
     using enum ir::TextureEncoding;
     static const LayerKind kRow = [] {
         LayerKind row{.name = "triplanar",
-                      .doc = "images projected along x, y and z and weighted by the normal; strength is a factor on the slope",
+                      .doc =
+                          "images projected along x, y and z and weighted by the normal; strength is a "
+                          "factor on the slope",
                       .fields = common("the map; of all planes, or of y where the others are given"),
                       .lower = lower_triplanar};
         row.fields.push_back({.name = "exponent",

@@ -10,10 +10,12 @@ using layers::FieldKind;
 
 CheckedLayer Checker::layer(const LayerDecl& decl) {
     ++layer_count;
-    CheckedLayer checked{.id = decl.id.value.empty() ? fmt::format("layer {}", layer_count) : decl.id.value, .kind = decl.kind};
+    CheckedLayer checked{.id = decl.id.value.empty() ? fmt::format("layer {}", layer_count) : decl.id.value,
+                         .kind = decl.kind};
     checked.common = values("a layer", layers::common_fields(), decl.common);
     if (decl.kind) {
-        checked.values = values(fmt::format("a layer of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
+        checked.values =
+            values(fmt::format("a layer of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
         together(*decl.kind, decl.at, decl.entries, checked.values);
     }
     for (const LayerDecl& inner : decl.group.layers) checked.group.push_back(layer(inner));
@@ -22,7 +24,8 @@ CheckedLayer Checker::layer(const LayerDecl& decl) {
 
 void Checker::claim_layers(const std::vector<LayerDecl>& decls, std::map<std::string_view, At>& seen) {
     for (const LayerDecl& decl : decls) {
-        auto [first, fresh] = decl.id.value.empty() ? std::pair(seen.end(), true) : seen.try_emplace(decl.id.value, decl.id.at);
+        auto [first, fresh] =
+            decl.id.value.empty() ? std::pair(seen.end(), true) : seen.try_emplace(decl.id.value, decl.id.at);
         if (!fresh) {
             error(Code::duplicate_id, decl.id.at, fmt::format("id '{}' is taken", printable(decl.id.value)),
                   {note("the first is here", first->second)});
@@ -49,7 +52,8 @@ void Checker::ids() {
         if (!stage.id.value.empty()) {
             auto [first, fresh] = seen.try_emplace(stage.id.value, stage.id.at);
             if (!fresh) {
-                error(Code::duplicate_id, stage.id.at, fmt::format("id '{}' is taken", printable(stage.id.value)),
+                error(Code::duplicate_id, stage.id.at,
+                      fmt::format("id '{}' is taken", printable(stage.id.value)),
                       {note("the first is here", first->second)});
             }
         }
@@ -75,14 +79,17 @@ std::string_view parameter_type_name(ParameterType type) {
 }
 
 ir::Type ir_type(ParameterType type) {
-    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2, ir::Type::Vec3, ir::Type::Vec4, ir::Type::Color};
+    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2, ir::Type::Vec3, ir::Type::Vec4,
+                                   ir::Type::Color};
     return kTypes[static_cast<std::size_t>(type)];
 }
 
-std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots, Diags& diags) {
+std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots,
+                                     Diags& diags) {
     std::size_t before = diags.error_count();
     Checker checker{material, files, roots, diags};
-    checker.out.name = material.name.empty() ? std::filesystem::path(material.source->name).stem().string() : material.name;
+    checker.out.name =
+        material.name.empty() ? std::filesystem::path(material.source->name).stem().string() : material.name;
     for (const ParameterDecl& p : material.parameters) {
         checker.out.parameters.push_back({p.name.value, p.type, p.fallback, p.range, p.label, p.unit});
     }
@@ -97,7 +104,9 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     }
     checker.surface();
     auto limit = [&](std::size_t count, std::size_t most, std::string_view things) {
-        if (count > most) checker.error(Code::too_many, {{0, 1}, ""}, fmt::format("{} {}, expected at most {}", count, things, most));
+        if (count > most)
+            checker.error(Code::too_many, {{0, 1}, ""},
+                          fmt::format("{} {}, expected at most {}", count, things, most));
     };
     limit(material.bump.size(), kMaxStages, "entries of 'bump'");
     limit(checker.layer_count, kMaxLayers, "layers");

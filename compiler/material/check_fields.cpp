@@ -21,7 +21,8 @@ std::string hint(std::string_view name, const std::vector<Decl>& decls, std::str
     }
     std::string near = did_you_mean(name, names);
     if (!near.empty()) return near;
-    return names.empty() ? fmt::format(", the material declares no {}", things) : fmt::format(", expected {}", one_of(names));
+    return names.empty() ? fmt::format(", the material declares no {}", things)
+                         : fmt::format(", expected {}", one_of(names));
 }
 
 std::span<const ParameterType> types_for(FieldKind kind) {
@@ -35,14 +36,18 @@ std::span<const ParameterType> types_for(FieldKind kind) {
 
 std::optional<std::size_t> Checker::find_texture(const std::string& name, const At& at) {
     if (auto found = textures_by_name.find(name); found != textures_by_name.end()) return found->second;
-    error(Code::unknown_texture, at, fmt::format("unknown texture '{}'{}", printable(name), hint(name, in.textures, "textures")));
+    error(Code::unknown_texture, at,
+          fmt::format("unknown texture '{}'{}", printable(name), hint(name, in.textures, "textures")));
     return std::nullopt;
 }
 
-ir::ParameterId Checker::find_parameter(const std::string& name, const At& at, std::span<const ParameterType> types) {
+ir::ParameterId Checker::find_parameter(const std::string& name, const At& at,
+                                        std::span<const ParameterType> types) {
     auto found = parameters_by_name.find(name);
     if (found == parameters_by_name.end()) {
-        error(Code::unknown_parameter, at, fmt::format("unknown parameter '{}'{}", printable(name), hint(name, in.parameters, "parameters")));
+        error(Code::unknown_parameter, at,
+              fmt::format("unknown parameter '{}'{}", printable(name),
+                          hint(name, in.parameters, "parameters")));
         return {};
     }
     const ParameterDecl& decl = in.parameters[found->second];
@@ -69,7 +74,9 @@ void Checker::expression(const Expression& written, FieldKind kind, FieldValue& 
         case Expression::Kind::node_name: {
             auto named = nodes_by_name.find(written.name);
             if (named == nodes_by_name.end()) {
-                error(Code::unknown_node, written.at, fmt::format("unknown node '{}'{}", printable(written.name), hint(written.name, in.nodes, "nodes")));
+                error(Code::unknown_node, written.at,
+                      fmt::format("unknown node '{}'{}", printable(written.name),
+                                  hint(written.name, in.nodes, "nodes")));
                 return;
             }
             node = named->second;
@@ -81,7 +88,9 @@ void Checker::expression(const Expression& written, FieldKind kind, FieldValue& 
     value.node = {static_cast<std::uint32_t>(node)};
     const layers::NodeKind* found = in.nodes[node].kind;
     if (found && found->result == ir::Type::Color && kind == FieldKind::number) {
-        std::string who = written.kind == Expression::Kind::node_name ? fmt::format("node '{}'", printable(written.name)) : fmt::format("'{}'", found->name);
+        std::string who = written.kind == Expression::Kind::node_name
+                              ? fmt::format("node '{}'", printable(written.name))
+                              : fmt::format("'{}'", found->name);
         error(Code::node_type, written.at, fmt::format("{} gives a colour, expected a number", who));
     }
 }
@@ -91,7 +100,8 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
     std::vector<FieldValue> out_values;
     for (const Field& row : fields) {
         FieldValue value{.number = {row.fallback, row.fallback, row.fallback}};
-        if (row.kind == FieldKind::choice || row.kind == FieldKind::integer) value.index = static_cast<std::uint32_t>(row.fallback);
+        if (row.kind == FieldKind::choice || row.kind == FieldKind::integer)
+            value.index = static_cast<std::uint32_t>(row.fallback);
         out_values.push_back(value);
     }
     for (const FieldEntry& entry : entries) {
@@ -107,12 +117,14 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
         auto index = find_texture(entry.word, entry.at);
         if (!index) continue;
         const TextureDecl& decl = in.textures[*index];
-        if (!decl.faulty && std::find(row.encodings.begin(), row.encodings.end(), decl.encoding) == row.encodings.end()) {
+        if (!decl.faulty &&
+            std::find(row.encodings.begin(), row.encodings.end(), decl.encoding) == row.encodings.end()) {
             std::vector<std::string_view> expected;
-            for (ir::TextureEncoding encoding : row.encodings) expected.push_back(ir::encoding_name(encoding));
+            for (ir::TextureEncoding encoding : row.encodings)
+                expected.push_back(ir::encoding_name(encoding));
             error(Code::wrong_encoding, entry.at,
-                  fmt::format("{} cannot read texture '{}' of encoding '{}', expected {}", owner, printable(entry.word),
-                              ir::encoding_name(decl.encoding), one_of(expected)),
+                  fmt::format("{} cannot read texture '{}' of encoding '{}', expected {}", owner,
+                              printable(entry.word), ir::encoding_name(decl.encoding), one_of(expected)),
                   {note("it is declared here", decl.name.at)});
         }
         value.index = texture_index[*index];
@@ -124,7 +136,8 @@ void Checker::nodes() {
     for (const NodeDecl& decl : in.nodes) {
         layers::NodeInstance instance{.kind = decl.kind, .name = decl.name.value};
         if (decl.kind) {
-            instance.values = values(fmt::format("a node of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
+            instance.values =
+                values(fmt::format("a node of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
             together(*decl.kind, decl.at, decl.entries, instance.values);
         }
         out.nodes.push_back(std::move(instance));
@@ -147,7 +160,8 @@ void Checker::node_cycles() {
             Step& step = path.back();
             state[step.node] = State::open;
             const auto& fields = out.nodes[step.node].values;
-            while (step.next_field < fields.size() && !fields[step.next_field].node.valid()) ++step.next_field;
+            while (step.next_field < fields.size() && !fields[step.next_field].node.valid())
+                ++step.next_field;
             if (step.next_field == fields.size()) {
                 state[step.node] = State::done;
                 path.pop_back();
@@ -157,13 +171,15 @@ void Checker::node_cycles() {
             if (state[next] == State::fresh) {
                 path.push_back({next, 0});
             } else if (state[next] == State::open) {
-                auto from = std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.node == next; });
+                auto from =
+                    std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.node == next; });
                 std::string names;
                 for (auto it = from; it != path.end(); ++it) {
                     const std::string& name = out.nodes[it->node].name;
                     if (!name.empty()) names += fmt::format("'{}' -> ", printable(name));
                 }
-                error(Code::node_cycle, in.nodes[next].name.at, fmt::format("nodes form a cycle: {}'{}'", names, printable(out.nodes[next].name)));
+                error(Code::node_cycle, in.nodes[next].name.at,
+                      fmt::format("nodes form a cycle: {}'{}'", names, printable(out.nodes[next].name)));
             }
         }
     }

@@ -49,12 +49,15 @@ void Checker::texture_file(const TextureDecl& decl, CheckedTexture& texture) {
     fs::path written(decl.file.value);
     bool relative = !written.is_absolute() && decl.file.value.find('\0') == std::string::npos;
     std::vector<fs::path> folders;
-    for (const fs::path& folder : roots.folders) folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
+    for (const fs::path& folder : roots.folders)
+        folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
     bool escaped = true;  // from all roots, for every folder that it could be relative to
     for (const fs::path& folder : folders) {
         if (!relative) break;
         fs::path path = files.canonical(folder / written);
-        if (std::none_of(folders.begin(), folders.end(), [&](const fs::path& root) { return inside(path, root); })) continue;
+        if (std::none_of(folders.begin(), folders.end(),
+                         [&](const fs::path& root) { return inside(path, root); }))
+            continue;
         escaped = false;
         if (!files.exists(path)) continue;
         Files::ReadResult result = files.read(path);
@@ -68,12 +71,13 @@ void Checker::texture_file(const TextureDecl& decl, CheckedTexture& texture) {
     }
     if (escaped) {
         error(Code::path_escapes, decl.file.at,
-              fmt::format("path '{}' leaves the material's folder, expected a relative path below it or below an -I root",
+              fmt::format("path '{}' leaves the material's folder, expected a relative path below it or "
+                          "below an -I root",
                           printable(decl.file.value)));
     } else {
         error(Code::file_missing, decl.file.at,
-              fmt::format("file '{}' does not exist, looked below the material's folder{}", printable(decl.file.value),
-                          roots.folders.size() > 1 ? " and every -I root" : ""));
+              fmt::format("file '{}' does not exist, looked below the material's folder{}",
+                          printable(decl.file.value), roots.folders.size() > 1 ? " and every -I root" : ""));
     }
 }
 
@@ -82,14 +86,16 @@ void Checker::texture_settings(const TextureDecl& decl) {
     std::string_view encoding = ir::encoding_name(decl.encoding);
     auto unused = [&](const At& at, std::string_view key, bool meaningful) {
         if (at.pointer.empty() || meaningful) return;
-        error(Code::unused_setting, at, fmt::format("'{}' means nothing for the encoding '{}'", key, encoding));
+        error(Code::unused_setting, at,
+              fmt::format("'{}' means nothing for the encoding '{}'", key, encoding));
     };
     unused(decl.green_up.at, "green", holds_directions(decl.encoding));
     unused(decl.zero.at, "zero", holds_signed_numbers(decl.encoding));
     unused(decl.range.at, "range", decl.encoding == derivative);
     if (decl.color_space && decl.color_space->value == ColorSpace::srgb && decl.encoding != color) {
         error(Code::srgb_data, decl.color_space->at,
-              fmt::format("texture '{}' of encoding '{}' is declared 'srgb', expected 'linear'", printable(decl.name.value), encoding));
+              fmt::format("texture '{}' of encoding '{}' is declared 'srgb', expected 'linear'",
+                          printable(decl.name.value), encoding));
     }
 }
 

@@ -1,5 +1,5 @@
-// A material in which everything that a user can get wrong is right: names are resolved, files exist, types fit.
-// What follows (lowering, optimising, emission) cannot fail on it.
+// A material in which everything that a user can get wrong is right: names are resolved, files exist, types
+// fit. What follows (lowering, optimising, emission) cannot fail on it.
 #pragma once
 
 #include <filesystem>
@@ -33,10 +33,10 @@ struct CheckedTexture {
 };
 
 struct CheckedLayer {
-    std::string id;  // unique; "layer 2" where none was given
-    const layers::LayerKind* kind = nullptr;      // null for a group
-    std::vector<layers::FieldValue> values;       // one per field of the kind
-    std::vector<layers::FieldValue> common;       // one per common field
+    std::string id;                           // unique; "layer 2" where none was given
+    const layers::LayerKind* kind = nullptr;  // null for a group
+    std::vector<layers::FieldValue> values;   // one per field of the kind
+    std::vector<layers::FieldValue> common;   // one per common field
     std::vector<CheckedLayer> group;
 };
 
@@ -65,9 +65,10 @@ inline constexpr std::size_t kMaxTextures = 64;
 inline constexpr std::size_t kMaxLayers = 256;
 inline constexpr std::size_t kMaxStages = 8;
 
-// Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of bounds.
-// Empty exactly when it added an error.
-std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots, Diags& diags);
+// Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of
+// bounds. Empty exactly when it added an error.
+std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots,
+                                     Diags& diags);
 
 // What an artefact knows of a type by name: "float", "vec2", "vec3", "vec4", "color".
 std::string_view parameter_type_name(ParameterType type);

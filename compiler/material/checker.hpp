@@ -34,12 +34,14 @@ struct Checker {
 
     // check_fields.cpp
     std::optional<std::size_t> find_texture(const std::string& name, const At& at);
-    ir::ParameterId find_parameter(const std::string& name, const At& at, std::span<const ParameterType> types);
+    ir::ParameterId find_parameter(const std::string& name, const At& at,
+                                   std::span<const ParameterType> types);
     void expression(const Expression& written, layers::FieldKind kind, layers::FieldValue& value);
     std::vector<layers::FieldValue> values(std::string_view owner, std::span<const layers::Field> fields,
                                            std::span<const FieldEntry> entries);
     template <class Kind>
-    void together(const Kind& kind, const At& at, std::span<const FieldEntry> entries, layers::FieldValues found);
+    void together(const Kind& kind, const At& at, std::span<const FieldEntry> entries,
+                  layers::FieldValues found);
     void nodes();
     void node_cycles();
 
@@ -52,7 +54,8 @@ struct Checker {
 
 // A fault of fields that are each valid alone.
 template <class Kind>
-void Checker::together(const Kind& kind, const At& at, std::span<const FieldEntry> entries, layers::FieldValues found) {
+void Checker::together(const Kind& kind, const At& at, std::span<const FieldEntry> entries,
+                       layers::FieldValues found) {
     if (!kind.check) return;
     auto fault = kind.check(found);
     if (!fault) return;

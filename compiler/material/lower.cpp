@@ -14,7 +14,8 @@ public:
         : material_(material),
           module_(declarations(material)),
           builder_(module_),
-          context_(builder_, facts(material), material.nodes, material.surface.two_sided == TwoSided::mirror) {}
+          context_(builder_, facts(material), material.nodes,
+                   material.surface.two_sided == TwoSided::mirror) {}
 
     ir::Module run() {
         ValueId gradient, normal;
@@ -26,7 +27,8 @@ public:
         }
         if (!gradient.valid()) gradient = builder_.add(Op::zero_surfgrad);
         if (!normal.valid()) normal = builder_.add(Op::resolve, {context_.normal(), gradient}, "normal");
-        if (material_.surface.two_sided == TwoSided::flip) normal = builder_.add(Op::flip, {normal, context_.facing()}, "normal");
+        if (material_.surface.two_sided == TwoSided::flip)
+            normal = builder_.add(Op::flip, {normal, context_.facing()}, "normal");
         surface(normal);
         inputs(gradient);
         return std::move(module_);
@@ -36,7 +38,8 @@ private:
     static ir::Module declarations(const CheckedMaterial& material) {
         ir::Module module;
         module.name = material.name;
-        for (const CheckedParameter& p : material.parameters) module.parameters.push_back({p.name, ir_type(p.type)});
+        for (const CheckedParameter& p : material.parameters)
+            module.parameters.push_back({p.name, ir_type(p.type)});
         for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
         return module;
     }
@@ -55,7 +58,8 @@ private:
             ValueId share = share_of(layer, coverage);
             if (layer.common[layers::kBlend].index == layers::kBlendMix) {
                 if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
-                total = builder_.add(Op::mix_surfgrad, {total, g, share.valid() ? share : context_.constant(1)});
+                total =
+                    builder_.add(Op::mix_surfgrad, {total, g, share.valid() ? share : context_.constant(1)});
                 continue;
             }
             if (share.valid()) g = builder_.add(Op::mask_surfgrad, {g, share});
@@ -80,12 +84,14 @@ private:
             module_.layers.push_back({layer.id, std::string(layer.kind->name)});
             context_.set_layer(id);
             const layers::LayerKind& kind = *layer.kind;
-            made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}} : kind.lower_covered(context_, layer.values);
+            made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}}
+                              : kind.lower_covered(context_, layer.values);
         } else {
             made.gradient = sum(layer.group);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];
-        if (strength.given) made.gradient = builder_.add(Op::scale_surfgrad, {context_.number(strength), made.gradient});
+        if (strength.given)
+            made.gradient = builder_.add(Op::scale_surfgrad, {context_.number(strength), made.gradient});
         context_.set_layer({});
         return made;
     }
@@ -107,11 +113,15 @@ private:
     void inputs(ValueId gradient) {
         builder_.output(ir::Output::frame, context_.first_frame());
         builder_.output(ir::Output::gradient, gradient);
-        if (context_.has_basis_vertex()) builder_.output(ir::Output::basis_vertex, context_.vertex_tangents());
-        if (context_.made_vertex_color().valid()) builder_.output(ir::Output::vertex_color, context_.made_vertex_color());
+        if (context_.has_basis_vertex())
+            builder_.output(ir::Output::basis_vertex, context_.vertex_tangents());
+        if (context_.made_vertex_color().valid())
+            builder_.output(ir::Output::vertex_color, context_.made_vertex_color());
         for (const auto& [set, value] : context_.uv_sets()) builder_.output(ir::Output::uv, value, set);
         for (auto space : {layers::Space::object, layers::Space::world}) {
-            if (context_.made_volume(space).valid()) builder_.output(ir::Output::volume, context_.made_volume(space), static_cast<std::uint32_t>(space));
+            if (context_.made_volume(space).valid())
+                builder_.output(ir::Output::volume, context_.made_volume(space),
+                                static_cast<std::uint32_t>(space));
         }
     }
 

@@ -75,14 +75,14 @@ struct Expression {
 struct FieldEntry {
     std::size_t field = 0;  // into the kind's fields
     At at;
-    Expression expression;  // number, pair, color, direction, range
-    std::string word;       // texture
+    Expression expression;    // number, pair, color, direction, range
+    std::string word;         // texture
     std::uint32_t index = 0;  // choice, integer
     layers::Coordinate uv;
 };
 
 struct NodeDecl {
-    Located<std::string> name;  // "" for one written in place
+    Located<std::string> name;               // "" for one written in place
     const layers::NodeKind* kind = nullptr;  // null: its kind was reported
     At at;
     std::vector<FieldEntry> entries;
@@ -96,7 +96,7 @@ struct GroupDecl {
 };
 
 struct LayerDecl {
-    Located<std::string> id;  // empty when not given
+    Located<std::string> id;                  // empty when not given
     const layers::LayerKind* kind = nullptr;  // null for a group
     At at;
     std::vector<FieldEntry> entries;  // of the kind's fields
@@ -124,7 +124,8 @@ struct SurfaceDecl {
 
 // What the forward entry point's fragment shader may cost at most.
 enum class Cost { instructions, texture_reads, interpolants };
-inline constexpr std::array<std::string_view, 3> kCostNames = {"instructions", "texture_reads", "interpolants"};
+inline constexpr std::array<std::string_view, 3> kCostNames = {"instructions", "texture_reads",
+                                                               "interpolants"};
 using Budget = std::array<std::optional<Located<std::uint32_t>>, kCostNames.size()>;  // by Cost
 
 struct Material {
@@ -141,8 +142,8 @@ struct Material {
 
 inline constexpr int kVersion = 1;
 
-// Reports every fault of form: unknown keys, wrong types, numbers out of range, unknown kinds and words, bad names.
-// Gives what it could read even then, so that `check` can report its faults in the same run.
+// Reports every fault of form: unknown keys, wrong types, numbers out of range, unknown kinds and words, bad
+// names. Gives what it could read even then, so that `check` can report its faults in the same run.
 Material read(const json::Document& document, Diags& diags);
 
 }  // namespace sg::material

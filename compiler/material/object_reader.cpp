@@ -13,7 +13,8 @@ ObjectReader::ObjectReader(SourcePtr source, const Value& value, std::string poi
                            std::vector<std::string_view> keys, Diags& diags)
     : source_(std::move(source)), at_{value.span, std::move(pointer)}, what_(std::move(what)), diags_(diags) {
     if (value.kind != Kind::object) {
-        error(Code::wrong_type, at_, fmt::format("expected an object for {}, found {}", what_, kind_name(value.kind)));
+        error(Code::wrong_type, at_,
+              fmt::format("expected an object for {}, found {}", what_, kind_name(value.kind)));
         return;
     }
     object_ = &value;
@@ -54,13 +55,13 @@ std::optional<std::string> ObjectReader::string(std::string_view key, bool requi
 }
 
 bool ObjectReader::check_name(const std::string& name, const At& at) {
-    bool printable_text = std::none_of(name.begin(), name.end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20u || c == 0x7F;
-    });
+    bool printable_text = std::none_of(
+        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7F; });
     if (!name.empty() && name.size() <= 64 && printable_text) return true;
     error(Code::bad_name, at,
           name.empty() ? std::string("a name must not be empty")
-                       : fmt::format("bad name '{}', expected 1 to 64 bytes without control characters", printable(name)));
+                       : fmt::format("bad name '{}', expected 1 to 64 bytes without control characters",
+                                     printable(name)));
     return false;
 }
 
@@ -88,34 +89,39 @@ std::optional<std::uint32_t> ObjectReader::integer(std::string_view key, Range r
     const Value* value = get(key, required);
     if (!value) return std::nullopt;
     if (value->kind != Kind::number) {
-        error(Code::wrong_type, at(key, *value), fmt::format("expected {} for '{}', found {}", expected, key, kind_name(value->kind)));
+        error(Code::wrong_type, at(key, *value),
+              fmt::format("expected {} for '{}', found {}", expected, key, kind_name(value->kind)));
         return std::nullopt;
     }
     if (!value->is_integer) {
-        error(Code::wrong_type, at(key, *value), fmt::format("expected an integer for '{}', found {}", key, value->number));
+        error(Code::wrong_type, at(key, *value),
+              fmt::format("expected an integer for '{}', found {}", key, value->number));
         return std::nullopt;
     }
     if (!in_range(key, *value, range)) return std::nullopt;
     return static_cast<std::uint32_t>(value->number);
 }
 
-std::optional<std::size_t> ObjectReader::choice(std::string_view key, std::initializer_list<std::string_view> choices,
+std::optional<std::size_t> ObjectReader::choice(std::string_view key,
+                                                std::initializer_list<std::string_view> choices,
                                                 bool required) {
     return choice(key, std::span(choices.begin(), choices.size()), required);
 }
 
-std::optional<std::size_t> ObjectReader::choice(std::string_view key, std::span<const std::string_view> choices,
-                                                bool required) {
+std::optional<std::size_t> ObjectReader::choice(std::string_view key,
+                                                std::span<const std::string_view> choices, bool required) {
     const Value* value = expect(key, Kind::string, required);
     if (!value) return std::nullopt;
     auto it = std::find(choices.begin(), choices.end(), value->string);
     if (it != choices.end()) return static_cast<std::size_t>(it - choices.begin());
     error(Code::unknown_choice, at(key, *value),
-          fmt::format("unknown value '{}' for '{}', expected {}", printable(value->string), key, one_of(choices)));
+          fmt::format("unknown value '{}' for '{}', expected {}", printable(value->string), key,
+                      one_of(choices)));
     return std::nullopt;
 }
 
-std::optional<double> ObjectReader::one_of_numbers(std::string_view key, std::initializer_list<double> choices) {
+std::optional<double> ObjectReader::one_of_numbers(std::string_view key,
+                                                   std::initializer_list<double> choices) {
     const Value* value = expect(key, Kind::number, false);
     if (!value) return std::nullopt;
     if (std::find(choices.begin(), choices.end(), value->number) != choices.end()) return value->number;
@@ -133,14 +139,23 @@ std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, s
         return std::vector<double>(count, value->number);
     }
     bool numeric = value->kind == Kind::array && value->items.size() == count && count > 1 &&
-                   std::all_of(value->items.begin(), value->items.end(), [](const Value& v) { return v.kind == Kind::number; });
+                   std::all_of(value->items.begin(), value->items.end(),
+                               [](const Value& v) { return v.kind == Kind::number; });
     if (!numeric) {
-        std::string expected = count == 1 ? "a number" : fmt::format("{}an array of {} numbers", spread ? "a number or " : "", count);
-        std::string found = value->kind == Kind::array && count > 1 ? fmt::format("an array of {} values", value->items.size())
-                                                                    : std::string(kind_name(value->kind));
-        if (value->kind == Kind::array && value->items.size() == count) found = "an array that holds other things";
+        std::string expected =
+            count == 1 ? "a number"
+                       : fmt::format("{}an array of {} numbers", spread ? "a number or " : "", count);
+        std::string found = value->kind == Kind::array && count > 1
+                                ? fmt::format("an array of {} values", value->items.size())
+                                : std::string(kind_name(value->kind));
+        if (value->kind == Kind::array && value->items.size() == count)
+            found = "an array that holds other things";
         error(Code::wrong_type, at(key, *value),
-              fmt::format("expected {}{}{} for '{}', found {}", expected, others.empty() ? "" : others.find(',') == std::string_view::npos ? " or " : ", ", others, key, found));
+              fmt::format("expected {}{}{} for '{}', found {}", expected,
+                          others.empty()                               ? ""
+                          : others.find(',') == std::string_view::npos ? " or "
+                                                                       : ", ",
+                          others, key, found));
         return std::nullopt;
     }
     bool good = true;

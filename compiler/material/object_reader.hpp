@@ -1,4 +1,5 @@
-// Reads one JSON object against the list of its keys. Every fault is reported; a getter that fails gives nothing.
+// Reads one JSON object against the list of its keys. Every fault is reported; a getter that fails gives
+// nothing.
 #pragma once
 
 #include <initializer_list>
@@ -20,8 +21,8 @@ struct Range {
 
 class ObjectReader {
 public:
-    // `what` names the object in messages: "a texture". A value that is no object is reported; then every getter
-    // gives nothing and reports no more.
+    // `what` names the object in messages: "a texture". A value that is no object is reported; then every
+    // getter gives nothing and reports no more.
     ObjectReader(SourcePtr source, const json::Value& value, std::string pointer, std::string what,
                  std::vector<std::string_view> keys, Diags& diags);
 
@@ -36,22 +37,28 @@ public:
     // A string of 1 to 64 printable characters.
     std::optional<std::string> name(std::string_view key, bool required = false);
     std::optional<double> number(std::string_view key, Range range, bool required = false);
-    std::optional<std::uint32_t> integer(std::string_view key, Range range, bool required = false, std::string_view expected = "a number");
+    std::optional<std::uint32_t> integer(std::string_view key, Range range, bool required = false,
+                                         std::string_view expected = "a number");
     // The index of the word among the choices.
     std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices,
                                       bool required = false);
-    std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices, bool required);
+    std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices,
+                                      bool required);
     // One of several numbers.
     std::optional<double> one_of_numbers(std::string_view key, std::initializer_list<double> choices);
-    // `count` numbers, or where `spread` one number for all. `others`: what else may stand there, for the message.
-    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, Range range, bool spread,
-                                               std::string_view others);
+    // `count` numbers, or where `spread` one number for all. `others`: what else may stand there, for the
+    // message.
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, Range range,
+                                               bool spread, std::string_view others);
     // The items of an array, each with its pointer.
-    std::vector<std::pair<const json::Value*, std::string>> array(std::string_view key, bool required = false);
+    std::vector<std::pair<const json::Value*, std::string>> array(std::string_view key,
+                                                                  bool required = false);
     // The members of an object of named things; bad names are reported.
     std::vector<std::pair<const json::Member*, std::string>> named(std::string_view key);
 
-    void error(Code code, const At& at, std::string message) { diags_.error(code, {source_, at.span, at.pointer}, std::move(message)); }
+    void error(Code code, const At& at, std::string message) {
+        diags_.error(code, {source_, at.span, at.pointer}, std::move(message));
+    }
     bool check_name(const std::string& name, const At& at);
 
 private:

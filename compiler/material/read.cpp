@@ -8,17 +8,20 @@ namespace sg::material {
 using json::Value;
 
 void Reader::parameter(const json::Member& member, const std::string& pointer) {
-    ObjectReader reader = object(member.value, pointer, "a parameter", {"type", "default", "range", "label", "unit"});
+    ObjectReader reader =
+        object(member.value, pointer, "a parameter", {"type", "default", "range", "label", "unit"});
     constexpr std::size_t kCounts[] = {1, 2, 3, 4, 3};
     auto type = reader.choice("type", {"float", "vec2", "vec3", "vec4", "color"}, true);
-    ParameterDecl decl{.name = {member.key, {member.key_span, pointer}}, .type = static_cast<ParameterType>(type.value_or(0))};
+    ParameterDecl decl{.name = {member.key, {member.key_span, pointer}},
+                       .type = static_cast<ParameterType>(type.value_or(0))};
     decl.label = reader.string("label").value_or("");
     decl.unit = reader.string("unit").value_or("");
     if (auto range = reader.numbers("range", 2, kAnyNumber, false, "")) {
         decl.range = {(*range)[0], (*range)[1]};
         if ((*range)[0] > (*range)[1]) {
             reader.error(Code::out_of_range, reader.at("range", *reader.get("range")),
-                         fmt::format("'range' is {} to {}, expected the smaller number first", (*range)[0], (*range)[1]));
+                         fmt::format("'range' is {} to {}, expected the smaller number first", (*range)[0],
+                                     (*range)[1]));
             decl.range.reset();
         }
     }
@@ -33,10 +36,12 @@ void Reader::parameter(const json::Member& member, const std::string& pointer) {
 }
 
 SamplerDecl Reader::sampler(const Value& value, const std::string& pointer) {
-    ObjectReader reader = object(value, pointer, "a sampler", {"wrap", "wrap_s", "wrap_t", "filter", "mip_filter", "anisotropy"});
+    ObjectReader reader = object(value, pointer, "a sampler",
+                                 {"wrap", "wrap_s", "wrap_t", "filter", "mip_filter", "anisotropy"});
     SamplerDecl decl;
     auto wrap = [&](std::string_view key, Wrap fallback) {
-        return static_cast<Wrap>(reader.choice(key, {"repeat", "clamp", "mirror"}).value_or(static_cast<std::size_t>(fallback)));
+        return static_cast<Wrap>(
+            reader.choice(key, {"repeat", "clamp", "mirror"}).value_or(static_cast<std::size_t>(fallback)));
     };
     Wrap both = wrap("wrap", Wrap::repeat);
     decl.wrap_s = wrap("wrap_s", both);
@@ -62,14 +67,16 @@ void Reader::texture(const json::Member& member, const std::string& pointer) {
     if (auto space = reader.choice("color_space", {"linear", "srgb"})) {
         decl.color_space = {static_cast<ColorSpace>(*space), place("color_space")};
     }
-    if (const Value* settings = reader.get("sampler")) decl.sampler = sampler(*settings, pointer + "/sampler");
+    if (const Value* settings = reader.get("sampler"))
+        decl.sampler = sampler(*settings, pointer + "/sampler");
     // A texture with a fault is kept, so that layers which name it are not reported too.
     out.textures.push_back(std::move(decl));
 }
 
 void Reader::surface(const Value& value, const std::string& pointer) {
     ObjectReader reader = object(value, pointer, "'surface'",
-                                 {"base_color", "metallic", "roughness", "occlusion", "emission", "opacity", "alpha_test", "two_sided"});
+                                 {"base_color", "metallic", "roughness", "occlusion", "emission", "opacity",
+                                  "alpha_test", "two_sided"});
     auto set = [&](Expression& slot, std::string_view key, std::size_t count, double maximum) {
         if (auto found = expression(reader, key, count, {0, maximum}, false, true)) slot = std::move(*found);
     };
@@ -80,20 +87,24 @@ void Reader::surface(const Value& value, const std::string& pointer) {
     set(out.surface.emission, "emission", 3, 1e4);
     set(out.surface.opacity, "opacity", 1, 1);
     out.surface.alpha_test = reader.number("alpha_test", {0, 1});
-    out.surface.two_sided = static_cast<TwoSided>(reader.choice("two_sided", {"off", "mirror", "flip"}).value_or(0));
+    out.surface.two_sided =
+        static_cast<TwoSided>(reader.choice("two_sided", {"off", "mirror", "flip"}).value_or(0));
 }
 
 void Reader::budget(const Value& value, const std::string& pointer) {
     ObjectReader reader = object(value, pointer, "'budget'", {kCostNames.begin(), kCostNames.end()});
     for (std::size_t i = 0; i < kCostNames.size(); ++i) {
         auto limit = reader.integer(kCostNames[i], {0, 1e9});
-        if (limit) out.budget[i] = Located<std::uint32_t>{*limit, reader.at(kCostNames[i], *reader.get(kCostNames[i]))};
+        if (limit)
+            out.budget[i] =
+                Located<std::uint32_t>{*limit, reader.at(kCostNames[i], *reader.get(kCostNames[i]))};
     }
 }
 
 void Reader::document(const Value& root) {
     ObjectReader reader = object(root, "", "a material",
-                                 {"$schema", "version", "name", "description", "parameters", "textures", "nodes", "bump", "surface", "budget"});
+                                 {"$schema", "version", "name", "description", "parameters", "textures",
+                                  "nodes", "bump", "surface", "budget"});
     if (!reader.ok()) return;
     reader.string("$schema");
     if (auto version = reader.integer("version", {1, 1e6}, true); version && *version != kVersion) {

@@ -12,8 +12,8 @@ using layers::Field;
 using layers::FieldKind;
 
 // Numbers, "$parameter" and, where `nodes`, "@node" or a node in place.
-std::optional<Expression> Reader::expression(ObjectReader& reader, std::string_view key, std::size_t count, Range range,
-                                             bool spread, bool nodes) {
+std::optional<Expression> Reader::expression(ObjectReader& reader, std::string_view key, std::size_t count,
+                                             Range range, bool spread, bool nodes) {
     const Value* value = reader.get(key);
     if (!value) return std::nullopt;
     Expression found{.at = reader.at(key, *value)};
@@ -34,7 +34,8 @@ std::optional<Expression> Reader::expression(ObjectReader& reader, std::string_v
         node(*value, found.at.pointer, found.node);
         return found;
     }
-    auto numbers = reader.numbers(key, count, range, spread, nodes ? "a \"$parameter\", a \"@node\" or a node" : "a \"$parameter\"");
+    auto numbers = reader.numbers(key, count, range, spread,
+                                  nodes ? "a \"$parameter\", a \"@node\" or a node" : "a \"$parameter\"");
     if (!numbers) return std::nullopt;
     found.numbers = std::move(*numbers);
     return found;
@@ -49,7 +50,8 @@ std::optional<layers::Coordinate> Reader::coordinate(ObjectReader& reader, std::
         found.set = *set;
         return found;
     }
-    ObjectReader inner = object(*value, reader.at(key, *value).pointer, "a coordinate", {"set", "scale", "rotation", "offset", "speed"});
+    ObjectReader inner = object(*value, reader.at(key, *value).pointer, "a coordinate",
+                                {"set", "scale", "rotation", "offset", "speed"});
     found.set = inner.integer("set", {0, 7}).value_or(0);
     found.rotation = inner.number("rotation", {-3600, 3600}).value_or(0);
     auto pair = [&](std::string_view name, std::array<double, 2>& slot, Range range) {
@@ -100,7 +102,8 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
     if (!numbers) return std::nullopt;
     double length = std::hypot((*numbers)[0], (*numbers)[1], (*numbers)[2]);
     if (!(length > 0)) {
-        reader.error(Code::out_of_range, entry.at, fmt::format("'{}' is 0, 0, 0, expected a direction", row.name));
+        reader.error(Code::out_of_range, entry.at,
+                     fmt::format("'{}' is 0, 0, 0, expected a direction", row.name));
         return std::nullopt;
     }
     for (double& n : *numbers) n /= length;

@@ -62,7 +62,8 @@ std::optional<LayerDecl> Reader::layer(const Value& value, const std::string& po
     } else if (value.kind == json::Kind::object) {
         keys = all_keys(value);  // unknowable without a kind
     }
-    ObjectReader reader = object(value, pointer, kind ? fmt::format("a layer of kind '{}'", kind->name) : "a layer", keys);
+    ObjectReader reader =
+        object(value, pointer, kind ? fmt::format("a layer of kind '{}'", kind->name) : "a layer", keys);
     if (!reader.string("kind", true) || !kind) return std::nullopt;
     LayerDecl decl{.kind = kind, .at = reader.at()};
     if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
@@ -107,12 +108,14 @@ void Reader::node(const Value& value, const std::string& pointer, std::size_t in
     } else if (value.kind == json::Kind::object) {
         keys = all_keys(value);
     }
-    ObjectReader reader = object(value, pointer, kind ? fmt::format("a node of kind '{}'", kind->name) : "a node", keys);
+    ObjectReader reader =
+        object(value, pointer, kind ? fmt::format("a node of kind '{}'", kind->name) : "a node", keys);
     if (!kind) {
         reader.string("op", true);
         return;
     }
-    std::vector<FieldEntry> found = entries(reader, kind->fields);  // may add nodes: no reference is held across it
+    std::vector<FieldEntry> found =
+        entries(reader, kind->fields);  // may add nodes: no reference is held across it
     out.nodes[index].kind = kind;
     out.nodes[index].entries = std::move(found);
 }

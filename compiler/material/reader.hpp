@@ -33,8 +33,8 @@ struct Reader {
     // read_fields.cpp
     std::vector<FieldEntry> entries(ObjectReader& reader, std::span<const layers::Field> fields);
     std::optional<FieldEntry> field(ObjectReader& reader, const layers::Field& row, std::size_t index);
-    std::optional<Expression> expression(ObjectReader& reader, std::string_view key, std::size_t count, Range range,
-                                         bool spread, bool nodes);
+    std::optional<Expression> expression(ObjectReader& reader, std::string_view key, std::size_t count,
+                                         Range range, bool spread, bool nodes);
     std::optional<layers::Coordinate> coordinate(ObjectReader& reader, std::string_view key);
 };
 

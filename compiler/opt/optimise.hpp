@@ -1,5 +1,6 @@
-// The optimiser: named rules on the algebra of gradients, applied while the module is rebuilt once from first to
-// last value, so that the cost is linear. Equal values become one; what no output needs is dropped at the end.
+// The optimiser: named rules on the algebra of gradients, applied while the module is rebuilt once from first
+// to last value, so that the cost is linear. Equal values become one; what no output needs is dropped at the
+// end.
 #pragma once
 
 #include <span>
@@ -12,8 +13,8 @@ namespace sg::opt {
 
 class Rewriter;
 
-// A rule looks at one value whose operands are already rewritten. It gives the value to use instead, or an invalid
-// id where it does not apply. What it gives must be equal for every input, up to rounding.
+// A rule looks at one value whose operands are already rewritten. It gives the value to use instead, or an
+// invalid id where it does not apply. What it gives must be equal for every input, up to rounding.
 struct Rule {
     std::string_view name;
     std::string_view reason;
@@ -22,8 +23,8 @@ struct Rule {
 };
 std::span<const Rule> all_rules();
 
-// A rule that was applied: while the value `before` of the given module was rewritten, on an operation. Rules that
-// were applied to what a rule made stand behind it.
+// A rule that was applied: while the value `before` of the given module was rewritten, on an operation. Rules
+// that were applied to what a rule made stand behind it.
 struct RuleUse {
     std::string_view rule;
     ir::Op op{};
@@ -38,14 +39,16 @@ struct Origin {
 
 // What became of what; for people.
 struct Log {
-    std::vector<RuleUse> uses;       // by `before`
-    std::vector<ir::ValueId> after;  // by value of the given module: what stands for it; invalid where nothing needs it
-    std::vector<Origin> origins;     // by value of the optimised module
+    std::vector<RuleUse> uses;  // by `before`
+    std::vector<ir::ValueId>
+        after;  // by value of the given module: what stands for it; invalid where nothing needs it
+    std::vector<Origin> origins;  // by value of the optimised module
 };
 
 class Rewriter {
 public:
-    // `skipped` names a rule that is left out, to measure what it is worth; "" for none. `log`: null for none.
+    // `skipped` names a rule that is left out, to measure what it is worth; "" for none. `log`: null for
+    // none.
     Rewriter(const ir::Module& declarations, std::string_view skipped, Log* log = nullptr);
     // The id of this value in the new module: by a rule, an equal value, or a new one.
     ir::ValueId add(ir::Value value);

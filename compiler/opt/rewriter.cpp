@@ -14,7 +14,8 @@ using ir::ValueId;
 namespace {
 
 bool equal(const Value& a, const Value& b) {
-    return a.op == b.op && a.type == b.type && a.operands == b.operands && a.index == b.index && a.number == b.number;
+    return a.op == b.op && a.type == b.type && a.operands == b.operands && a.index == b.index &&
+           a.number == b.number;
 }
 
 }  // namespace
@@ -56,13 +57,16 @@ ValueId Rewriter::apply(const Rule& rule, const Value& value) {
     ValueId better = rule.apply(*this, value);
     maker_ = outer;
     ValueId before{static_cast<std::uint32_t>(log_->after.size())};
-    if (better.valid()) log_->uses.insert(log_->uses.begin() + static_cast<std::ptrdiff_t>(at), {rule.name, value.op, before});
+    if (better.valid())
+        log_->uses.insert(log_->uses.begin() + static_cast<std::ptrdiff_t>(at),
+                          {rule.name, value.op, before});
     return better;
 }
 
 ValueId Rewriter::add(Value value) {
     for (const Rule& rule : all_rules()) {
-        if (rule.name == skipped_ || std::find(rule.ops.begin(), rule.ops.end(), value.op) == rule.ops.end()) continue;
+        if (rule.name == skipped_ || std::find(rule.ops.begin(), rule.ops.end(), value.op) == rule.ops.end())
+            continue;
         if (ValueId better = apply(rule, value); better.valid()) return better;
     }
     if (module_.values.size() > buckets_.size()) grow();
@@ -87,7 +91,8 @@ ValueId Rewriter::add(Op op, std::vector<ValueId> operands, const Value& like) {
 
 namespace {
 
-// Drops values that no output needs and closes the gaps. `renamed`: the new id of every value, invalid if dropped.
+// Drops values that no output needs and closes the gaps. `renamed`: the new id of every value, invalid if
+// dropped.
 ir::Module compact(ir::Module module, std::vector<ValueId>& renamed) {
     std::vector<bool> live(module.values.size(), false);
     for (const ir::OutputBinding& output : module.outputs) live[output.value.index] = true;
@@ -140,15 +145,17 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
     for (ir::OutputBinding& output : out.outputs) output.value = renamed[output.value.index];
     // What the vertex stage hands over is worth showing only while some layer needs them.
     auto only_shown = [&](const ir::OutputBinding& o) {
-        return is_numbered(o.output) || o.output == ir::Output::basis_vertex || o.output == ir::Output::vertex_color;
+        return is_numbered(o.output) || o.output == ir::Output::basis_vertex ||
+               o.output == ir::Output::vertex_color;
     };
     ir::Module needed = out;
     std::erase_if(needed.outputs, only_shown);
     needed = compact(std::move(needed));
     auto used = [&](const ir::OutputBinding& o) {
         const Value& shown = out.at(o.value);
-        return std::any_of(needed.values.begin(), needed.values.end(),
-                           [&](const Value& value) { return value.op == shown.op && value.index == shown.index; });
+        return std::any_of(needed.values.begin(), needed.values.end(), [&](const Value& value) {
+            return value.op == shown.op && value.index == shown.index;
+        });
     };
     std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
     out = compact(std::move(out), renamed);

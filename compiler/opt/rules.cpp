@@ -60,23 +60,28 @@ Value unnamed(const Value& value) {
 ValueId scale_before_projection(Rewriter& rewriter, const Value& value) {
     const Value projected = rewriter.at(value.operands[1]);
     if (projected.op == Op::surfgrad_from_tbn) {
-        ValueId scaled = rewriter.add(Op::scale_deriv, {value.operands[0], projected.operands[0]}, unnamed(projected));
+        ValueId scaled =
+            rewriter.add(Op::scale_deriv, {value.operands[0], projected.operands[0]}, unnamed(projected));
         return rewriter.add(Op::surfgrad_from_tbn, {scaled, projected.operands[1]}, projected);
     }
     if (projected.op == Op::surfgrad_from_volume) {
-        ValueId scaled = rewriter.add(Op::scale_volgrad, {value.operands[0], projected.operands[1]}, unnamed(projected));
+        ValueId scaled =
+            rewriter.add(Op::scale_volgrad, {value.operands[0], projected.operands[1]}, unnamed(projected));
         return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], scaled}, projected);
     }
     return {};
 }
 
-// What a projection takes: the part that is linear, and the basis or normal that two must share to be added first.
+// What a projection takes: the part that is linear, and the basis or normal that two must share to be added
+// first.
 struct Projected {
     Op op{};
     ValueId linear;
     ValueId onto;
     [[nodiscard]] bool valid() const { return linear.valid(); }
-    [[nodiscard]] bool shares(const Projected& other) const { return valid() && other.valid() && op == other.op && onto == other.onto; }
+    [[nodiscard]] bool shares(const Projected& other) const {
+        return valid() && other.valid() && op == other.op && onto == other.onto;
+    }
 };
 Projected projected(const Rewriter& rewriter, ValueId id) {
     const Value& value = rewriter.at(id);
@@ -102,10 +107,13 @@ ValueId one_projection(Rewriter& rewriter, const Value& value) {
     if (!inner) return {};
     ValueId rest = inner->operands[0], last_id = inner->operands[1];
     Projected last = projected(rewriter, last_id);
-    if (last.shares(right)) return rewriter.add(Op::add_surfgrad, {rest, project_sum(rewriter, last, right, like)}, like);
-    // ((x + project(a)) + y) + project(b), y of another kind: y steps aside, for sums may be taken in any order.
+    if (last.shares(right))
+        return rewriter.add(Op::add_surfgrad, {rest, project_sum(rewriter, last, right, like)}, like);
+    // ((x + project(a)) + y) + project(b), y of another kind: y steps aside, for sums may be taken in any
+    // order.
     Projected deeper = projected(rewriter, rest);
-    if (deeper.shares(right)) return rewriter.add(Op::add_surfgrad, {project_sum(rewriter, deeper, right, like), last_id}, like);
+    if (deeper.shares(right))
+        return rewriter.add(Op::add_surfgrad, {project_sum(rewriter, deeper, right, like), last_id}, like);
     return {};
 }
 
@@ -113,7 +121,8 @@ ValueId one_projection(Rewriter& rewriter, const Value& value) {
 
 ValueId trivial_mask(Rewriter& rewriter, const Value& value) {
     const Value* mask = rewriter.operand(value, 1, Op::constant);
-    if (rewriter.operand(value, 0, Op::zero_surfgrad) || is_constant(mask, 0)) return rewriter.add(Op::zero_surfgrad, {}, value);
+    if (rewriter.operand(value, 0, Op::zero_surfgrad) || is_constant(mask, 0))
+        return rewriter.add(Op::zero_surfgrad, {}, value);
     return is_constant(mask, 1) ? value.operands[0] : ValueId{};
 }
 
@@ -126,7 +135,8 @@ ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
 ValueId mask_before_projection(Rewriter& rewriter, const Value& value) {
     const Value projected = rewriter.at(value.operands[0]);
     if (projected.op != Op::surfgrad_from_volume) return {};
-    ValueId masked = rewriter.add(Op::mask_volgrad, {projected.operands[1], value.operands[1]}, unnamed(projected));
+    ValueId masked =
+        rewriter.add(Op::mask_volgrad, {projected.operands[1], value.operands[1]}, unnamed(projected));
     return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], masked}, projected);
 }
 
@@ -172,7 +182,8 @@ ValueId fold_numbers(Rewriter& rewriter, const Value& value) {
     }
     double result = folded(value.op, n[0], n[1], n[2]);
     if (!std::isfinite(result)) return {};
-    return rewriter.add(Value{.op = Op::constant, .type = ir::Type::Scalar, .number = {result}, .layer = value.layer});
+    return rewriter.add(
+        Value{.op = Op::constant, .type = ir::Type::Scalar, .number = {result}, .layer = value.layer});
 }
 
 ValueId add_zero_or_multiply_by_one(Rewriter& rewriter, const Value& value) {
@@ -189,23 +200,43 @@ std::span<const Rule> all_rules() {
     using enum Op;
     static const Rule kRules[] = {
         {"scale_by_one", "1 x = x", {scale_deriv, scale_surfgrad, scale_volgrad}, scale_by_one},
-        {"scale_to_nothing", "0 g = 0: a layer of strength 0 vanishes, its texture and basis with it", {scale_surfgrad}, scale_to_nothing},
-        {"scale_before_projection", "projection is linear: s project(d) = project(s d), which is shorter and can be added to others",
-         {scale_surfgrad}, scale_before_projection},
+        {"scale_to_nothing",
+         "0 g = 0: a layer of strength 0 vanishes, its texture and basis with it",
+         {scale_surfgrad},
+         scale_to_nothing},
+        {"scale_before_projection",
+         "projection is linear: s project(d) = project(s d), which is shorter and can be added to others",
+         {scale_surfgrad},
+         scale_before_projection},
         {"add_nothing", "g + 0 = g", {add_surfgrad}, add_nothing},
         {"resolve_nothing", "normalize(n - 0) = n, for n is unit", {resolve}, resolve_nothing},
-        {"positive_tiling_shares_basis", "T and B are unit vectors along +s and +t: positive tiling keeps both", {basis_uv},
+        {"positive_tiling_shares_basis",
+         "T and B are unit vectors along +s and +t: positive tiling keeps both",
+         {basis_uv},
          positive_tiling_shares_basis},
-        {"positive_tiling_turns_nothing", "only negative factors turn +s or +t", {basis_mirror}, positive_tiling_turns_nothing},
-        {"one_projection", "projection is linear: project(a) + project(b) = project(a + b), for one basis, or one normal (the paper's footnote on decals)",
-         {add_surfgrad}, one_projection},
+        {"positive_tiling_turns_nothing",
+         "only negative factors turn +s or +t",
+         {basis_mirror},
+         positive_tiling_turns_nothing},
+        {"one_projection",
+         "projection is linear: project(a) + project(b) = project(a + b), for one basis, or one normal (the "
+         "paper's footnote on decals)",
+         {add_surfgrad},
+         one_projection},
         {"trivial_mask", "a mask of 1 shows all, a mask of 0 nothing", {mask_surfgrad}, trivial_mask},
         {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
-        {"mask_before_projection", "a mask is a factor and projection is linear: volume bumps under masks can be added to others",
-         {mask_surfgrad}, mask_before_projection},
-        {"mix_before_projection", "projection is linear: a mix of two volume bumps is projected once", {mix_surfgrad}, mix_before_projection},
-        {"fold_numbers", "what is known now need not be computed for every pixel",
-         {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix}, fold_numbers},
+        {"mask_before_projection",
+         "a mask is a factor and projection is linear: volume bumps under masks can be added to others",
+         {mask_surfgrad},
+         mask_before_projection},
+        {"mix_before_projection",
+         "projection is linear: a mix of two volume bumps is projected once",
+         {mix_surfgrad},
+         mix_before_projection},
+        {"fold_numbers",
+         "what is known now need not be computed for every pixel",
+         {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
+         fold_numbers},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
     };
     return kRules;

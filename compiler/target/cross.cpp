@@ -27,7 +27,8 @@ spv::ExecutionModel model(Stage stage) {
 // Blocks are numbered by their set, textures and samplers by their place among the material's.
 std::uint32_t material_number(const Slot& slot, const emit::MaterialInterface& material) {
     auto place = [&](const auto& slots) {
-        auto it = std::find_if(slots.begin(), slots.end(), [&](const auto& s) { return s.binding == slot.binding; });
+        auto it = std::find_if(slots.begin(), slots.end(),
+                               [&](const auto& s) { return s.binding == slot.binding; });
         SG_ASSERT(slot.set == 1 && it != slots.end());
         return static_cast<std::uint32_t>(it - slots.begin());
     };
@@ -43,7 +44,8 @@ void sort_slots(std::vector<Slot>& slots) {
     });
 }
 
-// What the shader uses, and a declaration of nothing else. Inputs and outputs stay whole, so that the stages match.
+// What the shader uses, and a declaration of nothing else. Inputs and outputs stay whole, so that the stages
+// match.
 std::vector<Slot> used_slots(Compiler& compiler, const emit::MaterialInterface& material) {
     auto active = compiler.get_active_interface_variables();
     spirv_cross::ShaderResources all = compiler.get_shader_resources();
@@ -79,11 +81,13 @@ std::vector<Attribute> attributes_of(const Compiler& compiler, Stage stage, Lang
         std::uint32_t location = compiler.get_decoration(r.id, spv::DecorationLocation);
         out.push_back({location, language == Language::hlsl ? fmt::format("TEXCOORD{}", location) : r.name});
     }
-    std::sort(out.begin(), out.end(), [](const Attribute& a, const Attribute& b) { return a.location < b.location; });
+    std::sort(out.begin(), out.end(),
+              [](const Attribute& a, const Attribute& b) { return a.location < b.location; });
     return out;
 }
 
-// The engine fills the same blocks for every target; each vertex shader turns Vulkan's clip space into its own.
+// The engine fills the same blocks for every target; each vertex shader turns Vulkan's clip space into its
+// own.
 void convert_clip_space(spirv_cross::CompilerGLSL& compiler, Language language) {
     auto options = compiler.get_common_options();
     options.vertex.flip_vert_y = true;
@@ -93,8 +97,10 @@ void convert_clip_space(spirv_cross::CompilerGLSL& compiler, Language language) 
 
 // ---- HLSL ----
 
-// Shader model 5.0 has no spaces: the numbers of the material. From 5.1 on, register and space are binding and set.
-CrossText to_hlsl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+// Shader model 5.0 has no spaces: the numbers of the material. From 5.1 on, register and space are binding
+// and set.
+CrossText to_hlsl(const Words& words, Stage stage, const Target& target,
+                  const emit::MaterialInterface& material) {
     spirv_cross::CompilerHLSL compiler(words);
     CrossText out{.function = "main", .slots = used_slots(compiler, material)};
     for (Slot& slot : out.slots) {
@@ -120,7 +126,8 @@ CrossText to_hlsl(const Words& words, Stage stage, const Target& target, const e
 
 // ---- Metal ----
 
-CrossText to_msl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+CrossText to_msl(const Words& words, Stage stage, const Target& target,
+                 const emit::MaterialInterface& material) {
     spirv_cross::CompilerMSL compiler(words);
     CrossText out{.slots = used_slots(compiler, material)};
     for (const Slot& slot : out.slots) {
@@ -150,10 +157,12 @@ public:
 
     // Functions that take a texture and a sampler take both as one, under the name of the texture.
     void name_joined_parameters() {
-        ir.for_each_typed_id<spirv_cross::SPIRFunction>([&](std::uint32_t, spirv_cross::SPIRFunction& function) {
+        ir.for_each_typed_id<spirv_cross::SPIRFunction>([&](std::uint32_t,
+                                                            spirv_cross::SPIRFunction& function) {
             for (const auto& joined : function.combined_parameters) {
                 std::uint32_t image = joined.image_id;
-                set_name(joined.id, get_name(joined.global_image ? image : std::uint32_t{function.arguments[image].id}));
+                set_name(joined.id,
+                         get_name(joined.global_image ? image : std::uint32_t{function.arguments[image].id}));
             }
         });
     }
@@ -181,7 +190,8 @@ void join_samplers(GlslWriter& compiler, std::vector<Slot>& slots) {
         };
         auto texture = std::find_if(slots.begin(), slots.end(), is_texture);
         SG_ASSERT(texture != slots.end());
-        // A unit per texture: units must not depend on which entry point reads it, so no texture has two samplers.
+        // A unit per texture: units must not depend on which entry point reads it, so no texture has two
+        // samplers.
         SG_ASSERT(std::none_of(joined.begin(), joined.end(), is_texture));
         joined.push_back(*texture);
         joined.back().sampler_binding = compiler.get_decoration(pair.sampler_id, spv::DecorationBinding);
@@ -193,11 +203,13 @@ void join_samplers(GlslWriter& compiler, std::vector<Slot>& slots) {
     sort_slots(slots);
 }
 
-CrossText to_glsl(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+CrossText to_glsl(const Words& words, Stage stage, const Target& target,
+                  const emit::MaterialInterface& material) {
     GlslWriter compiler(words);
     CrossText out{.function = "main", .slots = used_slots(compiler, material)};
     for (const auto& block : compiler.get_shader_resources().uniform_buffers) {
-        compiler.set_decoration(block.id, spv::DecorationBinding, compiler.get_decoration(block.id, spv::DecorationDescriptorSet));
+        compiler.set_decoration(block.id, spv::DecorationBinding,
+                                compiler.get_decoration(block.id, spv::DecorationDescriptorSet));
     }
     join_samplers(compiler, out.slots);
     name_varyings(compiler, stage);
@@ -236,15 +248,18 @@ std::string missing_feature(std::span<const std::uint32_t> words, const Target& 
     for (std::size_t i = 5; i < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
         std::uint32_t op = words[i] & 0xFFFFu;
         if (op == spv::OpImageQueryLod) return "asks for the level of detail of a texture (textureQueryLod)";
-        if (op == spv::OpImageQueryLevels) return "asks for the number of levels of a texture (textureQueryLevels)";
+        if (op == spv::OpImageQueryLevels)
+            return "asks for the number of levels of a texture (textureQueryLevels)";
         if (target.version < 310 && is_other_gather(words, i)) {
-            return "gathers texels of another channel than red, with offsets or with a comparison (textureGather)";
+            return "gathers texels of another channel than red, with offsets or with a comparison "
+                   "(textureGather)";
         }
     }
     return "";
 }
 
-CrossText cross_compile(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material) {
+CrossText cross_compile(const Words& words, Stage stage, const Target& target,
+                        const emit::MaterialInterface& material) {
     try {
         switch (target.language) {
             case Language::hlsl:

@@ -16,9 +16,9 @@ struct Slot {
     emit::BindingKind kind{};
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    std::string name;             // in the text: of the block, or of the variable
-    std::uint32_t index = 0;      // HLSL: register; Metal: index; GL: binding point of a block, unit of a texture
-    std::uint32_t space = 0;      // HLSL
+    std::string name;         // in the text: of the block, or of the variable
+    std::uint32_t index = 0;  // HLSL: register; Metal: index; GL: binding point of a block, unit of a texture
+    std::uint32_t space = 0;  // HLSL
     std::uint32_t sampler_binding = 0;  // GL: the binding of the sampler that the texture is read with
 };
 
@@ -34,9 +34,10 @@ struct CrossText {
     std::vector<Attribute> attributes;  // of a vertex shader, by location
 };
 
-// `words` have names and are not optimised, so that the text reads as the library does. The numbers of the slots are
-// those of the material, alike for all stages and entry points. Every target but spirv.
-CrossText cross_compile(const Words& words, Stage stage, const Target& target, const emit::MaterialInterface& material);
+// `words` have names and are not optimised, so that the text reads as the library does. The numbers of the
+// slots are those of the material, alike for all stages and entry points. Every target but spirv.
+CrossText cross_compile(const Words& words, Stage stage, const Target& target,
+                        const emit::MaterialInterface& material);
 
 // "" or what the shader does that the target cannot express, as in "reads the level of detail of a texture".
 // `words` are those of the source without the target's prelude.

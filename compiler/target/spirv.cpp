@@ -68,8 +68,8 @@ std::string first_error(std::string_view log) {
 }
 
 void register_passes(spvtools::Optimizer& optimizer, Optimise level) {
-    // The passes that change GPU code, in the order that lets each feed the next; functions have one return, so
-    // merge-return is not among them.
+    // The passes that change GPU code, in the order that lets each feed the next; functions have one return,
+    // so merge-return is not among them.
     optimizer.RegisterPass(spvtools::CreateInlineExhaustivePass())
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreatePrivateToLocalPass())
@@ -91,9 +91,10 @@ void register_passes(spvtools::Optimizer& optimizer, Optimise level) {
 // An Optimizer may run once only: each call makes its own.
 std::optional<Words> run_optimizer(const Words& words, Optimise level, std::string& fault) {
     spvtools::Optimizer optimizer(kEnvironment);
-    optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-        if (fault.empty()) fault = fmt::format("spirv-opt: {}", message);
-    });
+    optimizer.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+            if (fault.empty()) fault = fmt::format("spirv-opt: {}", message);
+        });
     register_passes(optimizer, level);
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
@@ -103,8 +104,8 @@ std::optional<Words> run_optimizer(const Words& words, Optimise level, std::stri
     return out;
 }
 
-std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage, const ShaderLibrary& library,
-                               bool debug_info, std::string& fault) {
+std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage,
+                               const ShaderLibrary& library, bool debug_info, std::string& fault) {
     start_glslang();
     glslang::TShader shader(language(stage));
     std::string file(name);
@@ -138,7 +139,8 @@ std::optional<Words> front_end(std::string_view text, std::string_view name, Sta
 }
 
 std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,
-                                  const ShaderLibrary& library, const SpirvOptions& options, std::string& fault) {
+                                  const ShaderLibrary& library, const SpirvOptions& options,
+                                  std::string& fault) {
     fault.clear();
     std::optional<Words> words = front_end(text, name, stage, library, options.debug_info, fault);
     if (words && options.optimise != Optimise::none) words = run_optimizer(*words, options.optimise, fault);
@@ -151,9 +153,10 @@ std::optional<Words> compile_glsl(std::string_view text, std::string_view name, 
 std::string validate(std::span<const std::uint32_t> words) {
     spvtools::SpirvTools tools(kEnvironment);
     std::string fault;
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
-        if (fault.empty()) fault = fmt::format("spirv-val: word {}: {}", at.index, message);
-    });
+    tools.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
+            if (fault.empty()) fault = fmt::format("spirv-val: word {}: {}", at.index, message);
+        });
     if (!tools.Validate(words.data(), words.size()) && fault.empty()) fault = "spirv-val: invalid module";
     return fault;
 }
@@ -163,23 +166,23 @@ std::string disassemble(std::span<const std::uint32_t> words) {
     tools.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
     std::string text;
     bool good = tools.Disassemble(words.data(), words.size(), &text,
-                                  SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES | SPV_BINARY_TO_TEXT_OPTION_INDENT |
-                                      SPV_BINARY_TO_TEXT_OPTION_NO_HEADER);
+                                  SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES |
+                                      SPV_BINARY_TO_TEXT_OPTION_INDENT | SPV_BINARY_TO_TEXT_OPTION_NO_HEADER);
     SG_ASSERT(good);
     return text;
 }
 
 std::size_t instruction_count(std::span<const std::uint32_t> words) {
     constexpr std::size_t kHeader = 5;
-    constexpr std::uint32_t kFunction = 54, kLabel = 248, kFunctionParameter = 55, kFunctionEnd = 56, kVariable = 59,
-                            kLine = 8, kNoLine = 317;
+    constexpr std::uint32_t kFunction = 54, kLabel = 248, kFunctionParameter = 55, kFunctionEnd = 56,
+                            kVariable = 59, kLine = 8, kNoLine = 317;
     std::size_t count = 0;
     bool in_function = false;
     for (std::size_t i = kHeader; i < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
         std::uint32_t op = words[i] & 0xFFFFu;
         if (op == kFunction) in_function = true;
-        bool work = in_function && op != kFunction && op != kLabel && op != kFunctionParameter && op != kFunctionEnd &&
-                    op != kVariable && op != kLine && op != kNoLine;
+        bool work = in_function && op != kFunction && op != kLabel && op != kFunctionParameter &&
+                    op != kFunctionEnd && op != kVariable && op != kLine && op != kNoLine;
         if (work) ++count;
     }
     return count;

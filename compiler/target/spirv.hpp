@@ -1,4 +1,5 @@
-// GLSL text to SPIR-V words: glslang, spirv-opt and spirv-val in process. The only file that sees any of them.
+// GLSL text to SPIR-V words: glslang, spirv-opt and spirv-val in process. The only file that sees any of
+// them.
 #pragma once
 
 #include <cstdint>
@@ -27,15 +28,16 @@ struct SpirvOptions {
 
 using Words = std::vector<std::uint32_t>;
 
-// Compiles for Vulkan 1.1 (SPIR-V 1.3) and validates the result. `#include` finds the library's files alone; `name`
-// stands for the text in messages. An empty result has the first fault in `fault` ("name:line: what").
+// Compiles for Vulkan 1.1 (SPIR-V 1.3) and validates the result. `#include` finds the library's files alone;
+// `name` stands for the text in messages. An empty result has the first fault in `fault` ("name:line: what").
 // Thread-safe; the first call in a process costs about 0.15 s (glslang reads its built-in declarations).
 std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,
-                                  const ShaderLibrary& library, const SpirvOptions& options, std::string& fault);
+                                  const ShaderLibrary& library, const SpirvOptions& options,
+                                  std::string& fault);
 
 // The steps of compile_glsl, to measure them.
-std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage, const ShaderLibrary& library,
-                               bool debug_info, std::string& fault);
+std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage,
+                               const ShaderLibrary& library, bool debug_info, std::string& fault);
 std::optional<Words> run_optimizer(const Words& words, Optimise level, std::string& fault);
 
 // "" or what spirv-val says for Vulkan 1.1.

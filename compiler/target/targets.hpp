@@ -16,8 +16,8 @@ struct Target {
     std::string_view group;      // "hlsl": all of its targets
     std::string_view extension;  // "hlsl"
     Language language{};
-    std::uint32_t version = 0;   // as SPIRV-Cross counts: shader model 60, Metal 20300, GLSL 450
-    std::string_view prelude;    // GLSL lines in front of the source that say what the target lacks otherwise
+    std::uint32_t version = 0;  // as SPIRV-Cross counts: shader model 60, Metal 20300, GLSL 450
+    std::string_view prelude;   // GLSL lines in front of the source that say what the target lacks otherwise
     std::string_view doc;
 };
 

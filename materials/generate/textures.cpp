@@ -59,7 +59,8 @@ Rgb normal_texel(const TextureRecipe& recipe, double s, double t, double texel) 
 
 Rgb derivative_texel(const TextureRecipe& recipe, double s, double t, double texel) {
     const Slope slope = mean_slope(recipe.height, s, t, texel);
-    return {encode(slope.s / recipe.high, recipe.zero), encode((recipe.green_up ? -slope.t : slope.t) / recipe.high, recipe.zero), 0.0};
+    return {encode(slope.s / recipe.high, recipe.zero),
+            encode((recipe.green_up ? -slope.t : slope.t) / recipe.high, recipe.zero), 0.0};
 }
 
 Rgb mask_texel(double s, double t) {
@@ -86,7 +87,8 @@ Rgb sphere_texel(const TextureRecipe& recipe, double s, double t, double texel) 
     const double y = cos_b + along_t * sin_b;
     const double z = sin_b * cos_a + along_s * sin_a - along_t * cos_b * cos_a;
     const double length = std::sqrt(x * x + y * y + z * z);
-    return {encode(x / length, recipe.zero), encode(y / length, recipe.zero), encode(z / length, recipe.zero)};
+    return {encode(x / length, recipe.zero), encode(y / length, recipe.zero),
+            encode(z / length, recipe.zero)};
 }
 
 Rgb texel_of(const TextureRecipe& recipe, double s, double t, double texel) {

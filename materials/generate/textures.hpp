@@ -15,7 +15,8 @@ enum class Content {
     derivative,     // the derivative of the height, `high` over 1, in red and green
     mask,           // 0 or 1 with soft borders, by a smooth noise of its own
     color,          // sRGB: dark where the height is low
-    object_normal,  // object-space normals of the built-in sphere, displaced by the height (4 by 2 tiles over it)
+    object_normal,  // object-space normals of the built-in sphere, displaced by the height (4 by 2 tiles over
+                    // it)
 };
 
 // How a texture keeps its content; the words are those of a material file's "textures".

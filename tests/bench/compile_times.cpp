@@ -1,5 +1,5 @@
-// surfgrad-bench-compile: the stages of a warm compile of every sample, the forward fragment shader's where a stage works
-// on a shader. Thread CPU time; compare minima and ratios, for the machine is shared.
+// surfgrad-bench-compile: the stages of a warm compile of every sample, the forward fragment shader's where a
+// stage works on a shader. Thread CPU time; compare minima and ratios, for the machine is shared.
 #include <benchmark/benchmark.h>
 
 #include "base/ice.hpp"
@@ -27,7 +27,8 @@ struct Stages {
     target::Words raw, words;
     std::string fault;
 
-    explicit Stages(const std::filesystem::path& path) : source(source_of(path)), roots{{path.parent_path()}} {
+    explicit Stages(const std::filesystem::path& path)
+        : source(source_of(path)), roots{{path.parent_path()}} {
         document = *json::parse(source, diags);
         read = material::read(document, diags);
         auto found = material::check(read, files, roots, diags);
@@ -45,7 +46,8 @@ struct Stages {
         shaders = emit::emit_glsl(opt::select_outputs(optimised, entry.outputs), entry, interface);
     }
     void front_end() {
-        auto made = target::front_end(shaders.fragment, "forward.frag", target::Stage::fragment, library, false, fault);
+        auto made = target::front_end(shaders.fragment, "forward.frag", target::Stage::fragment, library,
+                                      false, fault);
         if (!made) SG_UNREACHABLE(fault);
         raw = std::move(*made);
     }
@@ -85,7 +87,9 @@ int main(int argc, char** argv) {
             auto loop = [&stages, &row](benchmark::State& state) {
                 for (auto _ : state) row.run(stages);
             };
-            benchmark::RegisterBenchmark((path.stem().string() + "/" + row.name).c_str(), loop)->Unit(benchmark::kMicrosecond)->MinTime(0.05);
+            benchmark::RegisterBenchmark((path.stem().string() + "/" + row.name).c_str(), loop)
+                ->Unit(benchmark::kMicrosecond)
+                ->MinTime(0.05);
         }
     }
     benchmark::RunSpecifiedBenchmarks();

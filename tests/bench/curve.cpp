@@ -1,5 +1,5 @@
-// surfgrad-bench-graph: whether the compiler's own stages take time linear in a material's nodes. Graphs with heavy
-// sharing, of 1,000 to 30,000 nodes; printed is the processor time per node, the least of several runs.
+// surfgrad-bench-graph: whether the compiler's own stages take time linear in a material's nodes. Graphs with
+// heavy sharing, of 1,000 to 30,000 nodes; printed is the processor time per node, the least of several runs.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -15,7 +15,8 @@ namespace sg::bench {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr std::array<std::string_view, 7> kStages = {"parse", "read", "check", "lower", "optimise", "emit", "all"};
+constexpr std::array<std::string_view, 7> kStages = {"parse",    "read", "check", "lower",
+                                                     "optimise", "emit", "all"};
 using Times = std::array<double, kStages.size()>;  // seconds
 
 double now() {
@@ -69,11 +70,13 @@ void curve(const char* title, std::string (*make)(std::size_t)) {
         Run best = run_once(source);
         for (int round = 1; round < kRounds; ++round) {
             Run again = run_once(source);
-            for (std::size_t k = 0; k < kStages.size(); ++k) best.times[k] = std::min(best.times[k], again.times[k]);
+            for (std::size_t k = 0; k < kStages.size(); ++k)
+                best.times[k] = std::min(best.times[k], again.times[k]);
         }
         fmt::print("{:>8}", count);
         for (double t : best.times) fmt::print(" {:>9.3f}", 1e6 * t / static_cast<double>(count));
-        fmt::print(" {:>9} {:>12.1f}\n", best.values, static_cast<double>(best.text) / static_cast<double>(count));
+        fmt::print(" {:>9} {:>12.1f}\n", best.values,
+                   static_cast<double>(best.text) / static_cast<double>(count));
     }
 }
 

@@ -1,6 +1,7 @@
-// surfgrad-bench-gpu: what each sample's forward fragment shader costs, in SPIR-V instructions that do work and on an
-// AMD GPU that need not be there: as lowered, as shipped, and without each rule of the optimiser in turn. Then a
-// material against a shader that was written by hand to do the same, where its folder is present.
+// surfgrad-bench-gpu: what each sample's forward fragment shader costs, in SPIR-V instructions that do work
+// and on an AMD GPU that need not be there: as lowered, as shipped, and without each rule of the optimiser in
+// turn. Then a material against a shader that was written by hand to do the same, where its folder is
+// present.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -42,7 +43,8 @@ public:
         groups_ = group_samplers(*checked).group;
     }
 
-    [[nodiscard]] target::Words fragment(const Treatment& treatment, const target::ShaderLibrary& library) const {
+    [[nodiscard]] target::Words fragment(const Treatment& treatment,
+                                         const target::ShaderLibrary& library) const {
         ir::Module module = treatment.optimise ? opt::optimise(lowered_, treatment.without) : lowered_;
         const emit::EntryPoint& entry = *emit::find_entry_point("forward");
         emit::MaterialInterface interface = emit::material_interface(module, groups_);
@@ -61,25 +63,30 @@ double percent(std::uint64_t now, std::uint64_t before) {
 }
 
 void print_samples(const target::ShaderLibrary& library) {
-    fmt::print("{:<24} {:>16} {:>22} {:>14}\n", "forward fragment shader", "SPIR-V", "navi21 instructions", "VGPRs");
+    fmt::print("{:<24} {:>16} {:>22} {:>14}\n", "forward fragment shader", "SPIR-V", "navi21 instructions",
+               "VGPRs");
     for (const auto& path : samples()) {
         const Sample sample(path);
-        const Cost lowered = cost_of(sample.fragment({.optimise = false}, library)), ours = cost_of(sample.fragment({}, library));
-        fmt::print("{:<24} {:>7} ->{:>6} {:>7} ->{:>6} {:>+5.0f}% {:>6} ->{:>5}\n", path.stem().string(), lowered.spirv, ours.spirv,
-                   lowered.gpu.instructions, ours.gpu.instructions, percent(ours.gpu.instructions, lowered.gpu.instructions),
-                   lowered.gpu.vector_registers, ours.gpu.vector_registers);
+        const Cost lowered = cost_of(sample.fragment({.optimise = false}, library)),
+                   ours = cost_of(sample.fragment({}, library));
+        fmt::print("{:<24} {:>7} ->{:>6} {:>7} ->{:>6} {:>+5.0f}% {:>6} ->{:>5}\n", path.stem().string(),
+                   lowered.spirv, ours.spirv, lowered.gpu.instructions, ours.gpu.instructions,
+                   percent(ours.gpu.instructions, lowered.gpu.instructions), lowered.gpu.vector_registers,
+                   ours.gpu.vector_registers);
         for (const opt::Rule& rule : opt::all_rules()) {
             const Cost without = cost_of(sample.fragment({.without = rule.name}, library));
             if (without.spirv == ours.spirv && without.gpu.instructions == ours.gpu.instructions) continue;
-            fmt::print("  without {:<30} {:>8} {:>22} {:>14}\n", rule.name, without.spirv, without.gpu.instructions,
-                       without.gpu.vector_registers);
+            fmt::print("  without {:<30} {:>8} {:>22} {:>14}\n", rule.name, without.spirv,
+                       without.gpu.instructions, without.gpu.vector_registers);
         }
     }
 }
 
 // ---- against shaders that were written by hand ----
 
-std::filesystem::path hand_folder() { return std::filesystem::path(SG_SOURCE_DIR) / "../shared/bench"; }
+std::filesystem::path hand_folder() {
+    return std::filesystem::path(SG_SOURCE_DIR) / "../shared/bench";
+}
 
 void replace(std::string& text, std::string_view what, std::string_view with) {
     const std::size_t at = text.find(what);
@@ -89,25 +96,29 @@ void replace(std::string& text, std::string_view what, std::string_view with) {
 
 // The hand-written shader with this project's lighting, so that the rest is what differs.
 std::string with_our_lighting(std::string text) {
-    replace(text, "#include \"sg_lib.glsl\"\n",
-            "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n"
-            "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic) {\n"
-            "    return sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, vec3(1.0));\n}\n"
-            "#define sgShade our_shade\n");
+    replace(
+        text, "#include \"sg_lib.glsl\"\n",
+        "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n"
+        "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic) {\n"
+        "    return sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, vec3(1.0));\n}\n"
+        "#define sgShade our_shade\n");
     return text;
 }
 
-// This project's library with levels of detail left to the hardware, as in the hand-written shaders: what explicit
-// gradients cost.
+// This project's library with levels of detail left to the hardware, as in the hand-written shaders: what
+// explicit gradients cost.
 target::ShaderLibrary with_implicit_gradients(target::ShaderLibrary library) {
-    replace(library.files["surfgrad/sample.glsl"], "textureGrad(sampler2D(image, filtering), uv.st, uv.dx, uv.dy)",
+    replace(library.files["surfgrad/sample.glsl"],
+            "textureGrad(sampler2D(image, filtering), uv.st, uv.dx, uv.dy)",
             "texture(sampler2D(image, filtering), uv.st)");
     return library;
 }
 
 void print_row(const char* what, const Cost& cost, const Cost& hand) {
-    fmt::print("  {:<52} SPIR-V {:>5}, navi21 {:>5} instructions ({:.2f}), {:>3} VGPRs\n", what, cost.spirv, cost.gpu.instructions,
-               static_cast<double>(cost.gpu.instructions) / static_cast<double>(hand.gpu.instructions), cost.gpu.vector_registers);
+    fmt::print("  {:<52} SPIR-V {:>5}, navi21 {:>5} instructions ({:.2f}), {:>3} VGPRs\n", what, cost.spirv,
+               cost.gpu.instructions,
+               static_cast<double>(cost.gpu.instructions) / static_cast<double>(hand.gpu.instructions),
+               cost.gpu.vector_registers);
 }
 
 void compare(const std::string& letter, target::ShaderLibrary library) {
@@ -119,14 +130,17 @@ void compare(const std::string& letter, target::ShaderLibrary library) {
         return;
     }
     library.files["sg_lib.glsl"] = text_of(hand_folder() / "sg_lib.glsl");
-    auto hand = [&](const std::string& text) { return cost_of(to_spirv(text, letter + ".frag", target::Stage::fragment, library, {})); };
+    auto hand = [&](const std::string& text) {
+        return cost_of(to_spirv(text, letter + ".frag", target::Stage::fragment, library, {}));
+    };
     const Sample sample(material);
     const Cost as_written = hand(text_of(file)), same_lighting = hand(with_our_lighting(text_of(file)));
     print_row("by hand, as written", as_written, as_written);
     print_row("ours, as shipped", cost_of(sample.fragment({}, library)), as_written);
     print_row("by hand, with our lighting", same_lighting, same_lighting);
     print_row("ours", cost_of(sample.fragment({}, library)), same_lighting);
-    print_row("ours, levels of detail left to the hardware", cost_of(sample.fragment({}, with_implicit_gradients(library))), same_lighting);
+    print_row("ours, levels of detail left to the hardware",
+              cost_of(sample.fragment({}, with_implicit_gradients(library))), same_lighting);
 }
 
 int run() {

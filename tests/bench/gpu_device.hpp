@@ -11,6 +11,7 @@ namespace sg::bench {
 VkDevice gpu_device();
 
 // Of a pipeline that was made with VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR.
-std::optional<GpuStatistics> pipeline_statistics(VkDevice device, VkPipeline pipeline, VkShaderStageFlagBits stage);
+std::optional<GpuStatistics> pipeline_statistics(VkDevice device, VkPipeline pipeline,
+                                                 VkShaderStageFlagBits stage);
 
 }  // namespace sg::bench

@@ -15,7 +15,7 @@ namespace {
 
 // What the shader takes in and gives out, read from its words.
 struct Interface {
-    std::map<std::uint32_t, std::uint32_t> inputs;                               // location, components
+    std::map<std::uint32_t, std::uint32_t> inputs;                                // location, components
     std::map<std::uint32_t, std::vector<VkDescriptorSetLayoutBinding>> bindings;  // by set
     std::uint32_t outputs = 0;
 };
@@ -24,7 +24,9 @@ Interface interface_of(std::span<const std::uint32_t> words) {
     const spirv_cross::Compiler shader(words.data(), words.size());
     const spirv_cross::ShaderResources found = shader.get_shader_resources();
     Interface out;
-    auto number = [&](const spirv_cross::Resource& r, spv::Decoration what) { return shader.get_decoration(r.id, what); };
+    auto number = [&](const spirv_cross::Resource& r, spv::Decoration what) {
+        return shader.get_decoration(r.id, what);
+    };
     for (const auto& r : found.stage_inputs) {
         out.inputs[number(r, spv::DecorationLocation)] = shader.get_type(r.base_type_id).vecsize;
     }
@@ -46,11 +48,14 @@ target::Words vertex_words(const Interface& interface) {
     std::string declarations, copies;
     for (const auto& [location, components] : interface.inputs) {
         const std::string type = components == 1 ? "float" : fmt::format("vec{}", components);
-        declarations += fmt::format("layout(location = {0}) in {1} a{0};\nlayout(location = {0}) out {1} v{0};\n", location, type);
+        declarations += fmt::format(
+            "layout(location = {0}) in {1} a{0};\nlayout(location = {0}) out {1} v{0};\n", location, type);
         copies += fmt::format("    v{0} = a{0};\n", location);
     }
     const std::string text = fmt::format(
-        "#version 450\n{}layout(location = 31) in vec4 place;\nvoid main() {{\n{}    gl_Position = place;\n}}\n", declarations, copies);
+        "#version 450\n{}layout(location = 31) in vec4 place;\nvoid main() {{\n{}    gl_Position = "
+        "place;\n}}\n",
+        declarations, copies);
     std::string fault;
     auto words = target::compile_glsl(text, "vertex", target::Stage::vertex, {}, {}, fault);
     if (!words) fmt::print(stderr, "{}\n", fault);
@@ -85,11 +90,13 @@ VkPipelineLayout make_layout(VkDevice device, Interface& interface) {
 }
 
 VkRenderPass make_pass(VkDevice device, std::uint32_t outputs) {
-    VkAttachmentDescription attachment{.format = VK_FORMAT_R16G16B16A16_SFLOAT, .samples = VK_SAMPLE_COUNT_1_BIT};
+    VkAttachmentDescription attachment{.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                       .samples = VK_SAMPLE_COUNT_1_BIT};
     attachment.finalLayout = VK_IMAGE_LAYOUT_GENERAL;
     const std::vector<VkAttachmentDescription> attachments(outputs, attachment);
     std::vector<VkAttachmentReference> references;
-    for (std::uint32_t i = 0; i < outputs; ++i) references.push_back({i, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
+    for (std::uint32_t i = 0; i < outputs; ++i)
+        references.push_back({i, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
     VkSubpassDescription subpass{.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS};
     subpass.colorAttachmentCount = outputs;
     subpass.pColorAttachments = references.data();
@@ -103,7 +110,8 @@ VkRenderPass make_pass(VkDevice device, std::uint32_t outputs) {
     return pass;
 }
 
-VkPipelineShaderStageCreateInfo stage_of(VkDevice device, VkShaderStageFlagBits stage, std::span<const std::uint32_t> words) {
+VkPipelineShaderStageCreateInfo stage_of(VkDevice device, VkShaderStageFlagBits stage,
+                                         std::span<const std::uint32_t> words) {
     VkPipelineShaderStageCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
     info.stage = stage;
     info.module = make_module(device, words);
@@ -114,29 +122,41 @@ VkPipelineShaderStageCreateInfo stage_of(VkDevice device, VkShaderStageFlagBits 
 VkPipeline make_pipeline(VkDevice device, std::span<const std::uint32_t> fragment) {
     Interface interface = interface_of(fragment);
     const target::Words vertex = vertex_words(interface);
-    const VkPipelineShaderStageCreateInfo stages[] = {stage_of(device, VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                                                      stage_of(device, VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    const VkPipelineShaderStageCreateInfo stages[] = {
+        stage_of(device, VK_SHADER_STAGE_VERTEX_BIT, vertex),
+        stage_of(device, VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
     std::vector<VkVertexInputAttributeDescription> attributes;
-    for (const auto& [location, components] : interface.inputs) attributes.push_back({location, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * location});
+    for (const auto& [location, components] : interface.inputs)
+        attributes.push_back({location, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * location});
     attributes.push_back({31, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16 * 31});
     const VkVertexInputBindingDescription binding{0, 512, VK_VERTEX_INPUT_RATE_VERTEX};
-    VkPipelineVertexInputStateCreateInfo input{.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineVertexInputStateCreateInfo input{.sType =
+                                                   VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     input.vertexBindingDescriptionCount = 1;
     input.pVertexBindingDescriptions = &binding;
     input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
     input.pVertexAttributeDescriptions = attributes.data();
-    VkPipelineInputAssemblyStateCreateInfo assembly{.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     const VkViewport viewport{0, 0, 512, 512, 0, 1};
     const VkRect2D scissor{{0, 0}, {512, 512}};
-    const VkPipelineViewportStateCreateInfo view{.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
-                                                 .viewportCount = 1, .pViewports = &viewport, .scissorCount = 1, .pScissors = &scissor};
-    VkPipelineRasterizationStateCreateInfo raster{.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    const VkPipelineViewportStateCreateInfo view{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .pViewports = &viewport,
+        .scissorCount = 1,
+        .pScissors = &scissor};
+    VkPipelineRasterizationStateCreateInfo raster{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.lineWidth = 1;
-    const VkPipelineMultisampleStateCreateInfo samples{.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-                                                       .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
-    const std::vector<VkPipelineColorBlendAttachmentState> targets(interface.outputs, {.colorWriteMask = 0xF});
-    VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    const VkPipelineMultisampleStateCreateInfo samples{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+    const std::vector<VkPipelineColorBlendAttachmentState> targets(interface.outputs,
+                                                                   {.colorWriteMask = 0xF});
+    VkPipelineColorBlendStateCreateInfo blend{.sType =
+                                                  VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = interface.outputs;
     blend.pAttachments = targets.data();
     VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};

@@ -17,7 +17,9 @@ inline std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline std::filesystem::path sample_folder() { return std::filesystem::path(SG_SOURCE_DIR) / "materials"; }
+inline std::filesystem::path sample_folder() {
+    return std::filesystem::path(SG_SOURCE_DIR) / "materials";
+}
 
 inline std::vector<std::filesystem::path> samples() {
     std::vector<std::filesystem::path> out;

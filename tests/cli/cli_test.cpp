@@ -27,7 +27,8 @@ Outcome run(const fs::path& folder, const std::string& arguments) {
     FILE* pipe = ::popen(command.c_str(), "r");
     Outcome out;
     std::array<char, 4096> buffer{};
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) out.text.append(buffer.data(), n);
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        out.text.append(buffer.data(), n);
     int status = ::pclose(pipe);
     out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return out;
@@ -37,7 +38,8 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
     std::map<std::string, std::string> out;
     if (!fs::exists(folder)) return out;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) out[entry.path().lexically_relative(folder).string()] = test::read_file(entry.path());
+        if (entry.is_regular_file())
+            out[entry.path().lexically_relative(folder).string()] = test::read_file(entry.path());
     }
     return out;
 }
@@ -55,7 +57,9 @@ protected:
         fs::create_directories(folder);
         fs::copy(test::source_dir() / "materials", folder / "materials", fs::copy_options::recursive);
     }
-    void write(const fs::path& file, const std::string& text) { std::ofstream(root_ / file, std::ios::binary) << text; }
+    void write(const fs::path& file, const std::string& text) {
+        std::ofstream(root_ / file, std::ios::binary) << text;
+    }
 
     fs::path root_;
 };
@@ -65,8 +69,10 @@ TEST_F(Cli, SameBytesFromTwoFolders) {
     for (const char* sample : {"normal_map", "two_unwraps", "layered"}) {
         std::string emit = " --emit ir,opt-ir,glsl,spvasm";
         Outcome one = run(root_ / "one", fmt::format("compile materials/{}.json -o out{}", sample, emit));
-        Outcome two = run(root_ / "two", fmt::format("compile '{}' -o '{}'{}", (root_ / "two/deeper/materials" / sample).string() + ".json",
-                                                     (root_ / "two/out").string(), emit));
+        Outcome two =
+            run(root_ / "two", fmt::format("compile '{}' -o '{}'{}",
+                                           (root_ / "two/deeper/materials" / sample).string() + ".json",
+                                           (root_ / "two/out").string(), emit));
         EXPECT_EQ(one.exit_code, 0) << one.text;
         EXPECT_EQ(two.exit_code, 0) << two.text;
     }
@@ -76,12 +82,14 @@ TEST_F(Cli, SameBytesFromTwoFolders) {
 }
 
 TEST_F(Cli, WritesWhatWasAskedFor) {
-    EXPECT_EQ(run(root_ / "one", "compile materials/normal_map.json -o out --entry normal --emit ir,glsl").exit_code, 0);
+    EXPECT_EQ(run(root_ / "one", "compile materials/normal_map.json -o out --entry normal --emit ir,glsl")
+                  .exit_code,
+              0);
     std::vector<std::string> names;
     for (const auto& [name, bytes] : contents(root_ / "one/out")) names.push_back(name);
-    EXPECT_EQ(names, (std::vector<std::string>{"normal_map.ir", "normal_map.json", "normal_map.normal.frag.glsl",
-                                               "normal_map.normal.frag.spv", "normal_map.normal.vert.glsl",
-                                               "normal_map.normal.vert.spv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"normal_map.ir", "normal_map.json",
+                                               "normal_map.normal.frag.glsl", "normal_map.normal.frag.spv",
+                                               "normal_map.normal.vert.glsl", "normal_map.normal.vert.spv"}));
 }
 
 TEST_F(Cli, BadInputWritesNothingAndExitsWith1) {
@@ -99,8 +107,10 @@ TEST_F(Cli, OneBadFileDoesNotStopTheOthers) {
     write("one/bad.json", "{}");
     Outcome out = run(root_ / "one", "compile bad.json none.json materials/normal_map.json -o out");
     EXPECT_EQ(out.exit_code, 1);
-    EXPECT_NE(out.text.find("error: file 'none.json' does not exist [SG1301]\n"), std::string::npos) << out.text;
-    EXPECT_NE(out.text.find("bad.json:1:1: error: a material needs the key 'version' [SG1102]\n"), std::string::npos);
+    EXPECT_NE(out.text.find("error: file 'none.json' does not exist [SG1301]\n"), std::string::npos)
+        << out.text;
+    EXPECT_NE(out.text.find("bad.json:1:1: error: a material needs the key 'version' [SG1102]\n"),
+              std::string::npos);
     EXPECT_TRUE(fs::exists(root_ / "one/out/normal_map.json"));
 }
 
@@ -109,13 +119,18 @@ TEST_F(Cli, NothingIsOverwrittenThatWasNotAsked) {
     std::string before = test::read_file(one / "materials/normal_map.json");
     Outcome out = run(one, "compile materials/normal_map.json -o materials");
     EXPECT_EQ(out.exit_code, 1);
-    EXPECT_EQ(out.text, "error: 'materials/normal_map.json' would write 'materials/normal_map.json', which is an input; choose another folder with -o [SG1305]\n");
+    EXPECT_EQ(out.text,
+              "error: 'materials/normal_map.json' would write 'materials/normal_map.json', which is an "
+              "input; choose another folder with -o [SG1305]\n");
     EXPECT_EQ(test::read_file(one / "materials/normal_map.json"), before);
     EXPECT_FALSE(fs::exists(one / "materials/normal_map.forward.vert.spv"));
     fs::copy(one / "materials", one / "other", fs::copy_options::recursive);
     out = run(one, "compile materials/normal_map.json other/normal_map.json -o out");
     EXPECT_EQ(out.exit_code, 1);
-    EXPECT_NE(out.text.find("'other/normal_map.json' would write 'out/normal_map.forward.vert.spv', as 'materials/normal_map.json' does"), std::string::npos) << out.text;
+    EXPECT_NE(out.text.find("'other/normal_map.json' would write 'out/normal_map.forward.vert.spv', as "
+                            "'materials/normal_map.json' does"),
+              std::string::npos)
+        << out.text;
 }
 
 TEST_F(Cli, ExitCodes) {
@@ -125,7 +140,9 @@ TEST_F(Cli, ExitCodes) {
     EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --entry lit").exit_code, 2);
     EXPECT_EQ(run(one, "compile materials/normal_map.json -o out -O0 -Os").exit_code, 2);
     EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --budget interpolants").exit_code, 2);
-    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --budget texture_reads=0,interpolants=64").exit_code, 1);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out --budget texture_reads=0,interpolants=64")
+                  .exit_code,
+              1);
     EXPECT_EQ(run(one, "explain materials/normal_map.json").exit_code, 0);
     EXPECT_EQ(run(one, "explain none.json").exit_code, 1);
     EXPECT_EQ(run(one, "frobnicate").exit_code, 2);
@@ -144,7 +161,8 @@ TEST_F(Cli, StandardInput) {
     EXPECT_EQ(out.exit_code, 0) << out.text;
     EXPECT_TRUE(fs::exists(root_ / "one/out/wall.json"));
     EXPECT_EQ(run(root_ / "one", "check - --color never < /dev/null").text,
-              "stdin:1:1: error: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal [SG1001]\n\n^\n");
+              "stdin:1:1: error: syntax error while parsing value - unexpected end of input; expected '[', "
+              "'{', or a literal [SG1001]\n\n^\n");
 }
 
 TEST_F(Cli, FurtherRootsAndJsonMessages) {
@@ -158,7 +176,8 @@ TEST_F(Cli, FurtherRootsAndJsonMessages) {
 }
 
 TEST_F(Cli, TablesArePrinted) {
-    EXPECT_NE(run(root_, "kinds").text.find("normal_map: a tangent-space normal map on a uv set\n"), std::string::npos);
+    EXPECT_NE(run(root_, "kinds").text.find("normal_map: a tangent-space normal map on a uv set\n"),
+              std::string::npos);
     EXPECT_NE(run(root_, "codes").text.find("SG1105: a layer kind that does not exist\n"), std::string::npos);
 }
 

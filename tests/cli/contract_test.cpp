@@ -1,4 +1,5 @@
-// The contract of compiler/artefacts.md against what the shaders really hold: block layouts, locations, bindings.
+// The contract of compiler/artefacts.md against what the shaders really hold: block layouts, locations,
+// bindings.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -21,7 +22,8 @@ Layout documented(const std::string& block) {
     text = text.substr(begin, text.find("\n### ", begin) - begin);
     std::regex row("\\| (\\d+) \\| `(\\w+)` \\|");
     Layout out;
-    for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it) out[(*it)[2]] = static_cast<std::uint32_t>(std::stoul((*it)[1]));
+    for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it)
+        out[(*it)[2]] = static_cast<std::uint32_t>(std::stoul((*it)[1]));
     std::smatch size;
     EXPECT_TRUE(std::regex_search(text, size, std::regex(", (\\d+) bytes")));
     out["size"] = static_cast<std::uint32_t>(std::stoul(size[1]));
@@ -71,7 +73,8 @@ TEST(Contract, BlocksLieAsDocumented) {
     EXPECT_EQ(reflected(vertex, "SgObjectBlock"), documented("SgObjectBlock"));
 }
 
-#define SG_FIELD(block, field) {#field, static_cast<std::uint32_t>(offsetof(runtime::block, field))}
+#define SG_FIELD(block, field) \
+    { #field, static_cast < std::uint32_t>(offsetof(runtime::block, field)) }
 TEST(Contract, TheRendererFillsBlocksAsDocumented) {
     Layout frame = {SG_FIELD(FrameBlock, clip_from_relative), SG_FIELD(FrameBlock, relative_from_screen),
                     SG_FIELD(FrameBlock, camera_position),    SG_FIELD(FrameBlock, view_direction),
@@ -79,8 +82,10 @@ TEST(Contract, TheRendererFillsBlocksAsDocumented) {
                     SG_FIELD(FrameBlock, ambient_radiance),   SG_FIELD(FrameBlock, time_view),
                     {"size", sizeof(runtime::FrameBlock)}};
     EXPECT_EQ(frame, documented("SgFrameBlock"));
-    Layout object = {SG_FIELD(ObjectBlock, relative_from_object), SG_FIELD(ObjectBlock, world_from_object),
-                     SG_FIELD(ObjectBlock, normal_from_object), {"size", sizeof(runtime::ObjectBlock)}};
+    Layout object = {SG_FIELD(ObjectBlock, relative_from_object),
+                     SG_FIELD(ObjectBlock, world_from_object),
+                     SG_FIELD(ObjectBlock, normal_from_object),
+                     {"size", sizeof(runtime::ObjectBlock)}};
     EXPECT_EQ(object, documented("SgObjectBlock"));
 }
 #undef SG_FIELD
@@ -94,7 +99,8 @@ TEST(Contract, ParametersLieWhereTheManifestSays) {
     const std::string& manifest = compiled.files.back().second;
     for (const auto& [member, offset] : block) {
         if (member == "size") continue;
-        std::regex row("\"name\": \"" + member.substr(2) + "\",\\s*\"type\": \"\\w+\",\\s*\"offset\": " + std::to_string(offset) + ",");
+        std::regex row("\"name\": \"" + member.substr(2) +
+                       "\",\\s*\"type\": \"\\w+\",\\s*\"offset\": " + std::to_string(offset) + ",");
         EXPECT_TRUE(std::regex_search(manifest, row)) << member << " at " << offset;
     }
 }
@@ -106,17 +112,24 @@ TEST(Contract, ShadersUseWhatTheManifestLists) {
         const std::string& manifest = compiled.files.back().second;
         for (const char* entry : {"forward", "normal", "debug"}) {
             for (const char* stage : {"vert", "frag"}) {
-                spirv_cross::Compiler shader(words_of(compiled, std::string(stem) + "." + entry + "." + stage + ".spv"));
+                spirv_cross::Compiler shader(
+                    words_of(compiled, std::string(stem) + "." + entry + "." + stage + ".spv"));
                 auto resources = shader.get_shader_resources(shader.get_active_interface_variables());
-                std::smatch head;  // a vertex input may have the same name, so what follows the name counts too
-                ASSERT_TRUE(std::regex_search(manifest, head, std::regex(std::string("\"name\": \"") + entry + "\",\\s+\"stages\": \\[\\s+\\{")));
+                std::smatch
+                    head;  // a vertex input may have the same name, so what follows the name counts too
+                ASSERT_TRUE(std::regex_search(
+                    manifest, head,
+                    std::regex(std::string("\"name\": \"") + entry + "\",\\s+\"stages\": \\[\\s+\\{")));
                 auto begin = static_cast<std::size_t>(head.position());
                 std::string section = manifest.substr(begin, manifest.find("\"views\"", begin) - begin);
                 auto listed = [&](const spirv_cross::Resource& r, const std::string& kind) {
-                    std::regex row("\"set\": " + std::to_string(shader.get_decoration(r.id, spv::DecorationDescriptorSet)) +
-                                   ",\\s*\"binding\": " + std::to_string(shader.get_decoration(r.id, spv::DecorationBinding)) +
+                    std::regex row("\"set\": " +
+                                   std::to_string(shader.get_decoration(r.id, spv::DecorationDescriptorSet)) +
+                                   ",\\s*\"binding\": " +
+                                   std::to_string(shader.get_decoration(r.id, spv::DecorationBinding)) +
                                    ",\\s*\"kind\": \"" + kind + "\"");
-                    EXPECT_TRUE(std::regex_search(section, row)) << stem << "." << entry << "." << stage << ": " << r.name;
+                    EXPECT_TRUE(std::regex_search(section, row))
+                        << stem << "." << entry << "." << stage << ": " << r.name;
                 };
                 for (const auto& r : resources.uniform_buffers) listed(r, "uniform_buffer");
                 for (const auto& r : resources.separate_images) listed(r, "texture");
@@ -127,7 +140,8 @@ TEST(Contract, ShadersUseWhatTheManifestLists) {
                 for (const auto& r : resources.stage_inputs) {
                     std::string name = r.name.substr(std::string("sg_vertex_").size());
                     std::regex row("\"name\": \"" + name + "\",\\s*\"location\": " +
-                                   std::to_string(shader.get_decoration(r.id, spv::DecorationLocation)) + ",");
+                                   std::to_string(shader.get_decoration(r.id, spv::DecorationLocation)) +
+                                   ",");
                     EXPECT_TRUE(std::regex_search(section, row)) << r.name;
                 }
             }

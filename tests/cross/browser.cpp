@@ -28,7 +28,8 @@ Pixels pixels_from(const std::string& text) {
         bytes += static_cast<char>(group >> bits & 0xFFu);
     }
     Pixels out(std::size_t{kSide} * kSide * 4);
-    if (bytes.size() != out.size() * sizeof(float)) throw std::runtime_error("the browser gave another number of bytes");
+    if (bytes.size() != out.size() * sizeof(float))
+        throw std::runtime_error("the browser gave another number of bytes");
     std::memcpy(out.data(), bytes.data(), bytes.size());
     return out;
 }
@@ -56,23 +57,26 @@ std::string browser() {
 std::string body_of(const std::string& script, const std::string& flags) {
     auto file = scratch() / "page.html";
     write_file(file, "<body><script>" + script + "</script></body>");
-    std::string dom = run(fmt::format("timeout 100 {} --headless --no-sandbox --disable-dev-shm-usage --user-data-dir='{}' {} --dump-dom 'file://{}' 2>/dev/null",
+    std::string dom = run(fmt::format("timeout 100 {} --headless --no-sandbox --disable-dev-shm-usage "
+                                      "--user-data-dir='{}' {} --dump-dom 'file://{}' 2>/dev/null",
                                       browser(), (scratch() / "profile").string(), flags, file.string()))
                           .text;
     std::size_t begin = dom.find("<body>"), end = dom.find("</body>");
     return begin == dom.npos || end == dom.npos ? "" : dom.substr(begin + 6, end - begin - 6);
 }
 
-PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts, const std::string& flags, std::size_t drawings,
-                     std::size_t further) {
+PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts,
+                     const std::string& flags, std::size_t drawings, std::size_t further) {
     std::string script = "const input = " + input + ";\n";
-    for (const std::string& name : scripts) script += test::read_file(test::source_dir() / "tests/cross" / name);
+    for (const std::string& name : scripts)
+        script += test::read_file(test::source_dir() / "tests/cross" / name);
     std::istringstream lines(body_of(script, flags));
     PageOutcome out;
     std::string line;
     std::getline(lines, line);  // the first is empty
     while (out.refusals.size() < drawings + further) {
-        if (!std::getline(lines, line) || line.starts_with("no ")) throw std::runtime_error("the browser gave no answer: " + line);
+        if (!std::getline(lines, line) || line.starts_with("no "))
+            throw std::runtime_error("the browser gave no answer: " + line);
         bool refused = line.starts_with("refused");
         if (out.refusals.size() < drawings) out.pictures.push_back(refused ? Pixels{} : pixels_from(line));
         out.refusals.push_back(refused ? line : "");

@@ -20,11 +20,12 @@ std::string base64(const std::vector<T>& values) {
 std::string body_of(const std::string& script, const std::string& flags);
 
 struct PageOutcome {
-    std::vector<Pixels> pictures;        // of the first `drawings` lines; empty where it was refused
-    std::vector<std::string> refusals;   // "" or the browser's words, by line
+    std::vector<Pixels> pictures;       // of the first `drawings` lines; empty where it was refused
+    std::vector<std::string> refusals;  // "" or the browser's words, by line
 };
-// Runs files of this folder, in order, over `const input`; they leave a line per drawing and per further check.
-PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts, const std::string& flags, std::size_t drawings,
-                     std::size_t further);
+// Runs files of this folder, in order, over `const input`; they leave a line per drawing and per further
+// check.
+PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts,
+                     const std::string& flags, std::size_t drawings, std::size_t further);
 
 }  // namespace sg::cross

@@ -1,5 +1,5 @@
-// Every sample in every target draws the picture that its SPIR-V draws; wrong texts do not; the table in the docs says
-// so.
+// Every sample in every target draws the picture that its SPIR-V draws; wrong texts do not; the table in the
+// docs says so.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,8 @@ bool within(const Difference& d, const Limit& limit) {
 }
 
 std::string words(const Difference& d) {
-    return fmt::format("largest {:.2e}, 99.9 % {:.2e}, {} pixels in both, {} in one alone", d.largest, d.p999, d.both, d.one_alone);
+    return fmt::format("largest {:.2e}, 99.9 % {:.2e}, {} pixels in both, {} in one alone", d.largest, d.p999,
+                       d.both, d.one_alone);
 }
 
 class EverySample : public testing::TestWithParam<std::string> {};
@@ -46,11 +47,13 @@ TEST_P(EverySample, DrawsWhatItsSpirvDraws) {
         }
         fmt::print("{} {}: {}\n", row.sample, row.target->name, words(row.difference));
         EXPECT_EQ(row.refusal, "") << row.target->name;
-        EXPECT_TRUE(within(row.difference, limit_of(*row.target))) << row.target->name << ": " << words(row.difference);
+        EXPECT_TRUE(within(row.difference, limit_of(*row.target)))
+            << row.target->name << ": " << words(row.difference);
     }
     if (!skipped.empty()) GTEST_SKIP() << skipped;
 }
-INSTANTIATE_TEST_SUITE_P(Materials, EverySample, testing::ValuesIn(sample_names()), [](const auto& row) { return row.param; });
+INSTANTIATE_TEST_SUITE_P(Materials, EverySample, testing::ValuesIn(sample_names()),
+                         [](const auto& row) { return row.param; });
 
 std::vector<const target::Target*> text_targets_and_wgsl() {
     auto out = text_targets();
@@ -75,18 +78,25 @@ TEST_P(EveryTarget, CatchesMistakes) {
         Difference d = compare(expected(sample(kSample), target), pictures[i]);
         fmt::print("{}, {}: {}\n", target.name, names[i], words(d));
         EXPECT_FALSE(within(d, limit_of(target))) << names[i];
-        EXPECT_TRUE(d.p999 > 20 * limit_of(target).p999 || d.one_alone > 20 * (1 + limit_of(target).one_alone)) << names[i] << ": too close";
+        EXPECT_TRUE(d.p999 > 20 * limit_of(target).p999 ||
+                    d.one_alone > 20 * (1 + limit_of(target).one_alone))
+            << names[i] << ": too close";
     }
 }
 
 TEST_P(EveryTarget, GoldenText) {
     for (const auto& [name, text] : sample(kSample).texts) {
-        bool shown = name.find(".normal.") != name.npos && name.find("." + std::string(GetParam()->name) + ".") != name.npos;
+        bool shown = name.find(".normal.") != name.npos &&
+                     name.find("." + std::string(GetParam()->name) + ".") != name.npos;
         if (shown) test::expect_golden("cross/golden/" + name, text);
     }
 }
 INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, testing::ValuesIn(text_targets_and_wgsl()),
-                         [](const auto& row) { return std::string(row.param->language == target::Language::spirv ? row.param->group : row.param->name); });
+                         [](const auto& row) {
+                             return std::string(row.param->language == target::Language::spirv
+                                                    ? row.param->group
+                                                    : row.param->name);
+                         });
 
 TEST(Cross, ValidationLayersHaveNothingToSay) {
     results();
@@ -95,17 +105,20 @@ TEST(Cross, ValidationLayersHaveNothingToSay) {
 
 std::string table() {
     std::string out =
-        "| sample | target | accepted by | drawn by | largest difference | 99.9 % |\n|---|---|---|---|---|---|\n";
+        "| sample | target | accepted by | drawn by | largest difference | 99.9 % "
+        "|\n|---|---|---|---|---|---|\n";
     for (const Result& row : results()) {
         out += fmt::format("| {} | `{}` | {} | {} | {:.1e} | {:.1e} |\n", row.sample, row.target->name,
-                           row.refusal.empty() ? accepted_by(*row.target) : "**refused**", drawn_by(*row.target), row.difference.largest,
-                           row.difference.p999);
+                           row.refusal.empty() ? accepted_by(*row.target) : "**refused**",
+                           drawn_by(*row.target), row.difference.largest, row.difference.p999);
     }
     return out;
 }
 
 // Differences follow the versions of the drivers: the committed ones are compared by their presence alone.
-std::string without_numbers(const std::string& text) { return std::regex_replace(text, std::regex("\\d\\.\\de[+-]\\d\\d"), "n"); }
+std::string without_numbers(const std::string& text) {
+    return std::regex_replace(text, std::regex("\\d\\.\\de[+-]\\d\\d"), "n");
+}
 
 TEST(Cross, TheTableInTheDocsIsWhatWasMeasured) {
     for (const Result& row : results()) {

@@ -20,16 +20,19 @@ struct Context {
 
 Context make_context(bool es) {
     Context out;
-    auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    auto get_display =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (get_display) out.display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (out.display == EGL_NO_DISPLAY || !eglInitialize(out.display, nullptr, nullptr)) {
         out.missing = "EGL has no surfaceless display";
         return out;
     }
     eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, es ? 3 : 4, EGL_CONTEXT_MINOR_VERSION, es ? 1 : 5, EGL_NONE};
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, es ? 3 : 4, EGL_CONTEXT_MINOR_VERSION, es ? 1 : 5,
+                              EGL_NONE};
     out.context = eglCreateContext(out.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
-    if (out.context == EGL_NO_CONTEXT) out.missing = es ? "no OpenGL ES 3.1 context" : "no OpenGL 4.5 context";
+    if (out.context == EGL_NO_CONTEXT)
+        out.missing = es ? "no OpenGL ES 3.1 context" : "no OpenGL 4.5 context";
     return out;
 }
 
@@ -42,7 +45,8 @@ void make_current(target::Language language) {
     const Context& context = context_of(language);
     if (!context.missing.empty()) throw std::runtime_error(context.missing);
     eglBindAPI(language == target::Language::glsl ? EGL_OPENGL_API : EGL_OPENGL_ES_API);
-    if (!eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context)) throw std::runtime_error("eglMakeCurrent failed");
+    if (!eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context))
+        throw std::runtime_error("eglMakeCurrent failed");
 }
 
 void check_gl(const char* where) {
@@ -105,13 +109,15 @@ void make_target(Objects& objects) {
     glGenFramebuffers(1, &objects.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, objects.framebuffer);
     glGenRenderbuffers(2, objects.renderbuffers);
-    const std::pair<GLenum, GLenum> kinds[] = {{GL_RGBA32F, GL_COLOR_ATTACHMENT0}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}};
+    const std::pair<GLenum, GLenum> kinds[] = {{GL_RGBA32F, GL_COLOR_ATTACHMENT0},
+                                               {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}};
     for (int i = 0; i < 2; ++i) {
         glBindRenderbuffer(GL_RENDERBUFFER, objects.renderbuffers[i]);
         glRenderbufferStorage(GL_RENDERBUFFER, kinds[i].first, kSide, kSide);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, kinds[i].second, GL_RENDERBUFFER, objects.renderbuffers[i]);
     }
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw std::runtime_error("no float framebuffer");
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error("no float framebuffer");
     glViewport(0, 0, kSide, kSide);
 }
 
@@ -128,11 +134,14 @@ void bind_vertices(Objects& objects, const Drawing& drawing) {
     glGenVertexArrays(1, &objects.vertex_array);
     glBindVertexArray(objects.vertex_array);
     for (const Attribute& attribute : drawing.attributes) {
-        make_buffer(objects, GL_ARRAY_BUFFER, attribute.values.data(), attribute.values.size() * sizeof(float));
-        glVertexAttribPointer(attribute.location, static_cast<GLint>(attribute.components), GL_FLOAT, GL_FALSE, 0, nullptr);
+        make_buffer(objects, GL_ARRAY_BUFFER, attribute.values.data(),
+                    attribute.values.size() * sizeof(float));
+        glVertexAttribPointer(attribute.location, static_cast<GLint>(attribute.components), GL_FLOAT,
+                              GL_FALSE, 0, nullptr);
         glEnableVertexAttribArray(attribute.location);
     }
-    make_buffer(objects, GL_ELEMENT_ARRAY_BUFFER, drawing.indices.data(), drawing.indices.size() * sizeof(std::uint32_t));
+    make_buffer(objects, GL_ELEMENT_ARRAY_BUFFER, drawing.indices.data(),
+                drawing.indices.size() * sizeof(std::uint32_t));
 }
 
 void upload(const TextureView& view) {
@@ -140,11 +149,12 @@ void upload(const TextureView& view) {
         const asset::Image& image = (*view.chain)[level];
         auto width = static_cast<GLsizei>(image.width), height = static_cast<GLsizei>(image.height);
         if (image.format == asset::TexelFormat::unorm8) {
-            glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), view.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height, 0, GL_RGBA,
-                         GL_UNSIGNED_BYTE, image.bytes.data());
+            glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), view.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                         width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.bytes.data());
             continue;
         }
-        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels_of(image).data());
+        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA32F, width, height, 0, GL_RGBA,
+                     GL_FLOAT, texels_of(image).data());
     }
 }
 
@@ -156,7 +166,8 @@ GLint wrap_word(runtime::gpu::Wrap wrap) {
 GLint minifying(const runtime::gpu::SamplerState& state) {
     using enum runtime::gpu::MipFilter;
     if (state.mip_filter == none) return state.linear ? GL_LINEAR : GL_NEAREST;
-    if (state.mip_filter == nearest) return state.linear ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
+    if (state.mip_filter == nearest)
+        return state.linear ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
     return state.linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
 }
 
@@ -171,14 +182,16 @@ GLuint make_sampler(Objects& objects, const runtime::gpu::SamplerState& state) {
     return sampler;
 }
 
-// Textures at the units and blocks at the points that the text itself states, which must be those of the manifest.
+// Textures at the units and blocks at the points that the text itself states, which must be those of the
+// manifest.
 void bind_slots(Objects& objects, const Drawing& drawing, const Stage& stage) {
     for (const Slot& slot : stage.slots) {
         if (slot.kind == "uniform_buffer") {
             const auto& bytes = drawing.blocks[slot.set];
             GLuint buffer = make_buffer(objects, GL_UNIFORM_BUFFER, bytes.data(), bytes.size());
             glBindBufferBase(GL_UNIFORM_BUFFER, slot.index, buffer);
-            if (glGetUniformBlockIndex(objects.program, slot.name.c_str()) == GL_INVALID_INDEX) throw std::runtime_error("no block " + slot.name);
+            if (glGetUniformBlockIndex(objects.program, slot.name.c_str()) == GL_INVALID_INDEX)
+                throw std::runtime_error("no block " + slot.name);
             continue;
         }
         glActiveTexture(GL_TEXTURE0 + slot.index);
@@ -188,7 +201,8 @@ void bind_slots(Objects& objects, const Drawing& drawing, const Stage& stage) {
         glBindTexture(GL_TEXTURE_2D, texture);
         upload(drawing.textures.at(slot.binding));
         glBindSampler(slot.index, make_sampler(objects, drawing.samplers.at(slot.sampler_binding)));
-        if (glGetUniformLocation(objects.program, slot.name.c_str()) < 0) throw std::runtime_error("no sampler " + slot.name);
+        if (glGetUniformLocation(objects.program, slot.name.c_str()) < 0)
+            throw std::runtime_error("no sampler " + slot.name);
     }
 }
 
@@ -197,14 +211,17 @@ Pixels read_back() {
     Pixels rows(row * kSide), out(row * kSide);
     glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_FLOAT, rows.data());
     for (std::size_t y = 0; y < kSide; ++y) {
-        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y * row), row, out.begin() + static_cast<std::ptrdiff_t>((kSide - 1 - y) * row));
+        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    out.begin() + static_cast<std::ptrdiff_t>((kSide - 1 - y) * row));
     }
     return out;
 }
 
 }  // namespace
 
-std::string gl_missing(target::Language language) { return context_of(language).missing; }
+std::string gl_missing(target::Language language) {
+    return context_of(language).missing;
+}
 
 Pixels gl_draw(const Drawing& drawing) {
     make_current(drawing.target->language);

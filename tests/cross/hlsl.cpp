@@ -13,7 +13,8 @@
 namespace sg::cross {
 namespace {
 
-constexpr std::uint32_t kTextures = 100, kSamplers = 200;  // glslang has one number space: t and s are shifted apart
+constexpr std::uint32_t kTextures = 100,
+                        kSamplers = 200;  // glslang has one number space: t and s are shifted apart
 
 // glslang numbers locations in the order of appearance and does not look at TEXCOORDn.
 std::string with_locations(const std::string& text) {
@@ -22,8 +23,8 @@ std::string with_locations(const std::string& text) {
 }
 
 std::string options(bool vertex) {
-    return fmt::format("-D -V --target-env vulkan1.1 -S {} -e main --stb {} --ssb {} {}", vertex ? "vert" : "frag", kTextures, kSamplers,
-                       vertex ? "--invert-y" : "");
+    return fmt::format("-D -V --target-env vulkan1.1 -S {} -e main --stb {} --ssb {} {}",
+                       vertex ? "vert" : "frag", kTextures, kSamplers, vertex ? "--invert-y" : "");
 }
 
 // The (set, binding) of what stands at a register.
@@ -33,7 +34,8 @@ const Slot& slot_at(const std::vector<Slot>& slots, std::uint32_t shifted, std::
     for (const Slot& slot : slots) {
         if (slot.kind == kind && slot.index == index && slot.space == space) return slot;
     }
-    throw std::runtime_error(fmt::format("the manifest has no {} at register {}, space {}", kind, index, space));
+    throw std::runtime_error(
+        fmt::format("the manifest has no {} at register {}, space {}", kind, index, space));
 }
 
 void move_bindings(std::vector<std::uint32_t>& words, const std::vector<Slot>& slots) {
@@ -59,7 +61,8 @@ void move_bindings(std::vector<std::uint32_t>& words, const std::vector<Slot>& s
 std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
     auto source = scratch() / "shader.hlsl", result = scratch() / "shader.spv";
     write_file(source, with_locations(stage.text));
-    Outcome outcome = run(fmt::format("glslangValidator {} -o '{}' '{}' 2>&1", options(vertex), result.string(), source.string()));
+    Outcome outcome = run(fmt::format("glslangValidator {} -o '{}' '{}' 2>&1", options(vertex),
+                                      result.string(), source.string()));
     if (outcome.exit_code != 0) throw std::runtime_error("glslang: " + outcome.text);
     std::string bytes = test::read_file(result);
     std::vector<std::uint32_t> words(bytes.size() / 4);
@@ -70,17 +73,20 @@ std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
 
 }  // namespace
 
-ShaderWords hlsl_to_words(const Drawing& drawing) { return {to_words(drawing.vertex, true), to_words(drawing.fragment, false)}; }
+ShaderWords hlsl_to_words(const Drawing& drawing) {
+    return {to_words(drawing.vertex, true), to_words(drawing.fragment, false)};
+}
 
 std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts) {
     std::map<std::string, std::string> files;  // by text: many targets and samples share them
     std::string commands;
     for (const HlslText& text : texts) {
-        auto [at, fresh] = files.try_emplace(text.text, (scratch() / fmt::format("accept{}.hlsl", files.size())).string());
+        auto [at, fresh] =
+            files.try_emplace(text.text, (scratch() / fmt::format("accept{}.hlsl", files.size())).string());
         if (!fresh) continue;
         write_file(at->second, with_locations(text.text));
-        commands += fmt::format("glslangValidator {} -o {}.spv {} > {}.log 2>&1 || echo refused >> {}.log\n", options(text.vertex), at->second,
-                                at->second, at->second, at->second);
+        commands += fmt::format("glslangValidator {} -o {}.spv {} > {}.log 2>&1 || echo refused >> {}.log\n",
+                                options(text.vertex), at->second, at->second, at->second, at->second);
     }
     write_file(scratch() / "commands", commands);
     run(fmt::format("xargs -P 2 -d '\\n' -n 1 sh -c < '{}'", (scratch() / "commands").string()));

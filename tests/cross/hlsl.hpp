@@ -5,8 +5,8 @@
 
 namespace sg::cross {
 
-// Every binding is moved from its register to the set and binding that the manifest states for it. Throws with
-// glslang's words where it refuses the text.
+// Every binding is moved from its register to the set and binding that the manifest states for it. Throws
+// with glslang's words where it refuses the text.
 ShaderWords hlsl_to_words(const Drawing& drawing);
 
 struct HlslText {

@@ -20,8 +20,10 @@ namespace {
 Outcome run_clang(const std::string& source, const std::string& options) {
     auto file = scratch() / "texts.cpp";
     write_file(file, source);
-    return run(fmt::format("clang++ -std=c++17 -w -Xclang -cl-single-precision-constant -ffp-contract=off -ferror-limit=0 -I '{}' {} '{}' 2>&1",
-                           (test::source_dir() / "tests/cross/metal").string(), options, file.string()));
+    return run(
+        fmt::format("clang++ -std=c++17 -w -Xclang -cl-single-precision-constant -ffp-contract=off "
+                    "-ferror-limit=0 -I '{}' {} '{}' 2>&1",
+                    (test::source_dir() / "tests/cross/metal").string(), options, file.string()));
 }
 
 // Texts by content, in the order of their first appearance: many targets and samples share them.
@@ -50,21 +52,25 @@ SgBindings bind(const Drawing& drawing, const Stage& stage, std::vector<std::vec
         if (slot.kind == "texture") {
             const TextureView& view = drawing.textures.at(slot.binding);
             texels.push_back(linear_texels(view));
-            out.textures[slot.index] = {texels.back().data(), static_cast<int>(view.chain->front().width), static_cast<int>(view.chain->front().height)};
+            out.textures[slot.index] = {texels.back().data(), static_cast<int>(view.chain->front().width),
+                                        static_cast<int>(view.chain->front().height)};
         }
         if (slot.kind == "sampler") {
             const auto& state = drawing.samplers.at(slot.binding);
-            out.samplers[slot.index] = {static_cast<int>(state.wrap_s), static_cast<int>(state.wrap_t), state.linear ? 1 : 0};
+            out.samplers[slot.index] = {static_cast<int>(state.wrap_s), static_cast<int>(state.wrap_t),
+                                        state.linear ? 1 : 0};
         }
     }
     return out;
 }
 
-std::vector<RasterVertex> run_vertices(const Drawing& drawing, const SgBindings& bindings, SgVertexFunction function) {
+std::vector<RasterVertex> run_vertices(const Drawing& drawing, const SgBindings& bindings,
+                                       SgVertexFunction function) {
     std::vector<RasterVertex> out(drawing.attributes[0].values.size() / drawing.attributes[0].components);
     for (std::size_t i = 0; i < out.size(); ++i) {
         SgNumbers attributes{};
-        for (const Attribute& a : drawing.attributes) std::memcpy(attributes[a.location], &a.values[i * a.components], a.components * sizeof(float));
+        for (const Attribute& a : drawing.attributes)
+            std::memcpy(attributes[a.location], &a.values[i * a.components], a.components * sizeof(float));
         function(bindings, attributes, out[i].varyings, out[i].position);
     }
     return out;
@@ -79,14 +85,18 @@ Function function_of(void* library, std::size_t text) {
 
 }  // namespace
 
-std::string metal_missing() { return has_program("clang++") ? "" : "no clang++"; }
+std::string metal_missing() {
+    return has_program("clang++") ? "" : "no clang++";
+}
 
 std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
     Texts texts;
     std::vector<Plan> plans;
-    for (const Drawing& drawing : drawings) plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
+    for (const Drawing& drawing : drawings)
+        plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
     auto library_file = scratch() / "texts.so";
-    Outcome compiled = run_clang(metal_source(texts.list, true), fmt::format("-O1 -shared -fPIC -o '{}'", library_file.string()));
+    Outcome compiled = run_clang(metal_source(texts.list, true),
+                                 fmt::format("-O1 -shared -fPIC -o '{}'", library_file.string()));
     if (compiled.exit_code != 0) throw std::runtime_error("clang: " + compiled.text.substr(0, 2000));
     void* library = ::dlopen(library_file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) throw std::runtime_error(::dlerror());
@@ -95,7 +105,8 @@ std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
         std::vector<std::vector<float>> texels;
         const SgBindings vertex_bindings = bind(drawings[i], drawings[i].vertex, texels);
         const SgBindings fragment_bindings = bind(drawings[i], drawings[i].fragment, texels);
-        auto vertices = run_vertices(drawings[i], vertex_bindings, function_of<SgVertexFunction>(library, plans[i].vertex));
+        auto vertices = run_vertices(drawings[i], vertex_bindings,
+                                     function_of<SgVertexFunction>(library, plans[i].vertex));
         out.push_back(rasterise(vertices, drawings[i].indices, drawings[i].cull_back, fragment_bindings,
                                 function_of<SgFragmentFunction>(library, plans[i].fragment)));
     }
@@ -111,7 +122,8 @@ std::vector<std::string> metal_refusals(const std::vector<std::string>& all) {
     std::vector<std::string> out;
     for (std::size_t number : numbers) {
         std::size_t at = outcome.text.find(fmt::format("text{}.metal:", number));
-        out.push_back(at == outcome.text.npos ? "" : outcome.text.substr(at, outcome.text.find('\n', at) - at));
+        out.push_back(at == outcome.text.npos ? ""
+                                              : outcome.text.substr(at, outcome.text.find('\n', at) - at));
     }
     bool blamed = std::any_of(out.begin(), out.end(), [](const std::string& s) { return !s.empty(); });
     if (outcome.exit_code != 0 && !blamed) throw std::runtime_error("clang: " + outcome.text.substr(0, 2000));

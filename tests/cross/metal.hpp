@@ -8,8 +8,8 @@ namespace sg::cross {
 // "" or why they cannot be compiled here.
 std::string metal_missing();
 
-// A rasteriser of our own draws what the texts say, from the bindings that stand in them. The shim filters level 0 of
-// a texture alone, so the picture to compare with is that of base_sample().
+// A rasteriser of our own draws what the texts say, from the bindings that stand in them. The shim filters
+// level 0 of a texture alone, so the picture to compare with is that of base_sample().
 std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings);
 
 // "" or clang's words, by text; all in one run of clang.

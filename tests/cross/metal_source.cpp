@@ -10,23 +10,28 @@ namespace {
 
 // SPIRV-Cross overloads its array's operators by address space, which C++ does not have: one of them stays.
 std::string without_address_spaces(const std::string& text) {
-    static const std::regex kOverload("\\n *(constexpr const )?(device|constant|threadgroup) T& operator \\[\\][^}]*\\}");
+    static const std::regex kOverload(
+        "\\n *(constexpr const )?(device|constant|threadgroup) T& operator \\[\\][^}]*\\}");
     return std::regex_replace(text, kOverload, "");
 }
 
 std::string first(const std::string& text, const std::regex& pattern, const char* what) {
     std::smatch match;
-    if (!std::regex_search(text, match, pattern)) throw std::runtime_error(std::string("a Metal text without ") + what);
+    if (!std::regex_search(text, match, pattern))
+        throw std::runtime_error(std::string("a Metal text without ") + what);
     return match[1];
 }
 
 // Statements that copy each field of a struct from or to what stands at its number.
 std::string field_lines(const std::string& body, const char* format) {
-    static const std::regex kField("\\w+ (\\w+) \\[\\[(attribute|user|color|position)(\\((locn)?(\\d+)\\))?\\]\\];");
+    static const std::regex kField(
+        "\\w+ (\\w+) \\[\\[(attribute|user|color|position)(\\((locn)?(\\d+)\\))?\\]\\];");
     std::string out;
     for (std::sregex_iterator it(body.begin(), body.end(), kField), end; it != end; ++it) {
         std::string kind = (*it)[2], number = (*it)[5];
-        std::string place = kind == "position" ? "position" : kind == "color" ? "colors[pixel]" : fmt::format("numbers[{}]", number);
+        std::string place = kind == "position" ? "position"
+                            : kind == "color"  ? "colors[pixel]"
+                                               : fmt::format("numbers[{}]", number);
         out += fmt::format("    {};\n", fmt::vformat(format, fmt::make_format_args((*it)[1].str(), place)));
     }
     return out;
@@ -34,7 +39,8 @@ std::string field_lines(const std::string& body, const char* format) {
 
 // The arguments of a call, each from the number that its attribute states.
 std::string argument_list(const std::string& parameters, const std::string& space) {
-    static const std::regex kParameter("(constant )?([\\w<>]+)&? \\w+ \\[\\[(\\w+)(\\((\\d+)\\))?\\]\\](, |$)");
+    static const std::regex kParameter(
+        "(constant )?([\\w<>]+)&? \\w+ \\[\\[(\\w+)(\\((\\d+)\\))?\\]\\](, |$)");
     std::string out;
     std::size_t used = 0;
     for (std::sregex_iterator it(parameters.begin(), parameters.end(), kParameter), end; it != end; ++it) {
@@ -43,11 +49,13 @@ std::string argument_list(const std::string& parameters, const std::string& spac
         if (!out.empty()) out += ", ";
         if (kind == "stage_in") out += "in";
         if (kind == "front_facing") out += "front";
-        if (kind == "buffer") out += fmt::format("*static_cast<const {}::{}*>(bindings.buffers[{}])", space, type, number);
+        if (kind == "buffer")
+            out += fmt::format("*static_cast<const {}::{}*>(bindings.buffers[{}])", space, type, number);
         if (kind == "texture") out += fmt::format("sg_texture(bindings.textures[{}])", number);
         if (kind == "sampler") out += fmt::format("sg_sampler(bindings.samplers[{}])", number);
     }
-    if (used != parameters.size()) throw std::runtime_error("a Metal signature that the tests cannot read: " + parameters);
+    if (used != parameters.size())
+        throw std::runtime_error("a Metal signature that the tests cannot read: " + parameters);
     return out;
 }
 
@@ -57,16 +65,21 @@ std::string call_function(const std::string& text, std::size_t i) {
     const std::string space = fmt::format("sg_text_{}", i);
     const std::string loads = field_lines(first(text, kIn, "inputs"), "sg_load(in.{}, {})");
     const std::string stores = field_lines(first(text, kOut, "outputs"), "sg_store(out.{}, {})");
-    const std::string call = fmt::format("{}::main0({})", space, argument_list(first(text, kSignature, "a signature"), space));
+    const std::string call =
+        fmt::format("{}::main0({})", space, argument_list(first(text, kSignature, "a signature"), space));
     if (text.find("\nvertex ") != text.npos) {
         return fmt::format(
-            "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers& attributes, SgNumbers& varyings, float (&position)[4]) {{\n"
-            "    {}::main0_in in;\n    {{ auto& numbers = attributes;\n{}    }}\n    auto out = {};\n    auto& numbers = varyings;\n{}}}\n",
+            "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers& attributes, "
+            "SgNumbers& varyings, float (&position)[4]) {{\n"
+            "    {}::main0_in in;\n    {{ auto& numbers = attributes;\n{}    }}\n    auto out = {};\n    "
+            "auto& numbers = varyings;\n{}}}\n",
             i, space, loads, call, stores);
     }
     return fmt::format(
-        "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers (&varyings)[4], bool front, float (&colors)[4][4], bool (&discarded)[4]) {{\n"
-        "    sg_run_quad([&](int pixel) {{\n    {}::main0_in in;\n    auto& numbers = varyings[pixel];\n{}    auto out = {};\n{}    }}, discarded);\n}}\n",
+        "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers (&varyings)[4], bool "
+        "front, float (&colors)[4][4], bool (&discarded)[4]) {{\n"
+        "    sg_run_quad([&](int pixel) {{\n    {}::main0_in in;\n    auto& numbers = varyings[pixel];\n{}   "
+        " auto out = {};\n{}    }}, discarded);\n}}\n",
         i, space, loads, call, stores);
 }
 
@@ -75,7 +88,8 @@ std::string call_function(const std::string& text, std::size_t i) {
 std::string metal_source(const std::vector<std::string>& texts, bool callable) {
     std::string out = "#include <metal_stdlib>\n#include <simd/simd.h>\n#include \"glue.hpp\"\n";
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        out += fmt::format("namespace sg_text_{} {{\n#line 1 \"text{}.metal\"\n{}\n}}\n", i, i, without_address_spaces(texts[i]));
+        out += fmt::format("namespace sg_text_{} {{\n#line 1 \"text{}.metal\"\n{}\n}}\n", i, i,
+                           without_address_spaces(texts[i]));
     }
     out += "#line 1 \"calls\"\n";
     for (std::size_t i = 0; callable && i < texts.size(); ++i) out += call_function(texts[i], i);

@@ -21,13 +21,14 @@ void change(std::string& text, const char* pattern, const std::string& with) {
 
 void swap_words(std::string& text, const std::string& a, const std::string& b) {
     std::size_t at = text.find(a), other = text.find(b);
-    if (at == text.npos || other == text.npos) throw std::runtime_error(fmt::format("no {} and {} in\n{}", a, b, text));
+    if (at == text.npos || other == text.npos)
+        throw std::runtime_error(fmt::format("no {} and {} in\n{}", a, b, text));
     text.replace(std::max(at, other), at < other ? b.size() : a.size(), at < other ? a : b);
     text.replace(std::min(at, other), at < other ? a.size() : b.size(), at < other ? b : a);
 }
 
-// The first two textures of the fragment shader are read from each other's place. ESSL 3.00 states no places: there the
-// manifest is wrong.
+// The first two textures of the fragment shader are read from each other's place. ESSL 3.00 states no places:
+// there the manifest is wrong.
 void swap_bindings(Drawing& drawing) {
     std::vector<Slot*> textures;
     for (Slot& slot : drawing.fragment.slots) {
@@ -39,7 +40,9 @@ void swap_bindings(Drawing& drawing) {
             case Language::spirv:
                 return fmt::format("@group({}) @binding({})", slot.set, slot.binding);
             case Language::hlsl:
-                return drawing.target->version > 50 ? fmt::format("register(t{}, space{})", slot.index, slot.space) : fmt::format("register(t{})", slot.index);
+                return drawing.target->version > 50
+                           ? fmt::format("register(t{}, space{})", slot.index, slot.space)
+                           : fmt::format("register(t{})", slot.index);
             case Language::msl:
                 return fmt::format("[[texture({})]]", slot.index);
             default:
@@ -55,9 +58,11 @@ void transpose_matrix(Drawing& drawing) {
         case Language::spirv:
             return change(text, "\\((mat3x3<f32>\\([^;]*\\)) \\* (_e\\d+)\\);", "($2 * $1);");
         case Language::hlsl:
-            return change(text, "row_major float4x4 sg_object_block_normal", "column_major float4x4 sg_object_block_normal");
+            return change(text, "row_major float4x4 sg_object_block_normal",
+                          "column_major float4x4 sg_object_block_normal");
         case Language::msl:
-            return change(text, "= (float3x3\\(sg_object_block.normal[^;]*\\)) \\* normal;", "= normal * $1;");
+            return change(text, "= (float3x3\\(sg_object_block.normal[^;]*\\)) \\* normal;",
+                          "= normal * $1;");
         default:
             return change(text, "= (mat3\\(sg_object_block.normal[^;]*\\)) \\* normal;", "= normal * $1;");
     }
@@ -67,25 +72,32 @@ void flip_t(Drawing& drawing) {
     std::string& text = drawing.fragment.text;
     switch (drawing.target->language) {
         case Language::spirv:
-            return change(text, "textureSampleGrad\\((\\w+), (\\w+), (_e\\d+),", "textureSampleGrad($1, $2, vec2<f32>($3.x, 1f - $3.y),");
+            return change(text, "textureSampleGrad\\((\\w+), (\\w+), (_e\\d+),",
+                          "textureSampleGrad($1, $2, vec2<f32>($3.x, 1f - $3.y),");
         case Language::hlsl:
-            return change(text, "SampleGrad\\(filtering, uv.st,", "SampleGrad(filtering, float2(uv.st.x, 1.0f - uv.st.y),");
+            return change(text, "SampleGrad\\(filtering, uv.st,",
+                          "SampleGrad(filtering, float2(uv.st.x, 1.0f - uv.st.y),");
         case Language::msl:
-            return change(text, "sample\\(filtering, uv.st,", "sample(filtering, float2(uv.st.x, 1.0 - uv.st.y),");
+            return change(text, "sample\\(filtering, uv.st,",
+                          "sample(filtering, float2(uv.st.x, 1.0 - uv.st.y),");
         default:
-            return change(text, "textureGrad\\(image, uv.st,", "textureGrad(image, vec2(uv.st.x, 1.0 - uv.st.y),");
+            return change(text, "textureGrad\\(image, uv.st,",
+                          "textureGrad(image, vec2(uv.st.x, 1.0 - uv.st.y),");
     }
 }
 
-void keep_clip_space(Drawing& drawing) { change(drawing.vertex.text, "\n *(\\w+\\.|)gl_Position.y = -[^\n]*", ""); }
+void keep_clip_space(Drawing& drawing) {
+    change(drawing.vertex.text, "\n *(\\w+\\.|)gl_Position.y = -[^\n]*", "");
+}
 
 }  // namespace
 
 std::vector<Mutant> mutants(const Sample& sample, const target::Target& target) {
-    const std::pair<const char*, void (*)(Drawing&)> kinds[] = {{"two bindings swapped", swap_bindings},
-                                                                {"a matrix transposed", transpose_matrix},
-                                                                {"t flipped", flip_t},
-                                                                {"Vulkan's clip space kept", keep_clip_space}};
+    const std::pair<const char*, void (*)(Drawing&)> kinds[] = {
+        {"two bindings swapped", swap_bindings},
+        {"a matrix transposed", transpose_matrix},
+        {"t flipped", flip_t},
+        {"Vulkan's clip space kept", keep_clip_space}};
     std::vector<Mutant> out;
     for (const auto& [name, make] : kinds) {
         out.push_back({name, &target == &wgsl_recipe() ? wgsl_drawing(sample) : drawing(sample, target)});

@@ -9,7 +9,8 @@ struct Mutant {
     std::string name;
     Drawing drawing;
 };
-// Of a sample with two textures or more; also for wgsl_recipe(). Throws where a text holds no place for a mistake.
+// Of a sample with two textures or more; also for wgsl_recipe(). Throws where a text holds no place for a
+// mistake.
 std::vector<Mutant> mutants(const Sample& sample, const target::Target& target);
 
 }  // namespace sg::cross

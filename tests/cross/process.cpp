@@ -28,19 +28,24 @@ const fs::path& scratch() {
     return kFolder.path;
 }
 
-void write_file(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+void write_file(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
 
 Outcome run(const std::string& command) {
     Outcome out;
     FILE* pipe = ::popen(command.c_str(), "r");
     if (!pipe) return out;
     std::array<char, 1 << 16> buffer{};
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) out.text.append(buffer.data(), n);
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        out.text.append(buffer.data(), n);
     int status = ::pclose(pipe);
     out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return out;
 }
 
-bool has_program(const std::string& name) { return run("command -v " + name + " >/dev/null 2>&1").exit_code == 0; }
+bool has_program(const std::string& name) {
+    return run("command -v " + name + " >/dev/null 2>&1").exit_code == 0;
+}
 
 }  // namespace sg::cross

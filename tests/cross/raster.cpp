@@ -78,7 +78,8 @@ struct Canvas {
     std::vector<double> depth = std::vector<double>(std::size_t{kSide} * kSide, 1.0);
 };
 
-void shade_quad(Canvas& canvas, const Corner (&c)[3], int left, int top, bool front, const SgBindings& bindings, SgFragmentFunction fragment) {
+void shade_quad(Canvas& canvas, const Corner (&c)[3], int left, int top, bool front,
+                const SgBindings& bindings, SgFragmentFunction fragment) {
     bool wanted[4];
     double depth[4];
     SgNumbers varyings[4];
@@ -110,17 +111,20 @@ std::pair<int, int> quads(std::int64_t low, std::int64_t high) {
 
 }  // namespace
 
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices, bool cull_back,
-                 const SgBindings& bindings, SgFragmentFunction fragment) {
+Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices,
+                 bool cull_back, const SgBindings& bindings, SgFragmentFunction fragment) {
     Canvas canvas;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        Corner c[3] = {corner_of(vertices[indices[i]]), corner_of(vertices[indices[i + 1]]), corner_of(vertices[indices[i + 2]])};
+        Corner c[3] = {corner_of(vertices[indices[i]]), corner_of(vertices[indices[i + 1]]),
+                       corner_of(vertices[indices[i + 2]])};
         const std::int64_t area = edge(c[0], c[1], c[2].fixed_x, c[2].fixed_y);
         const bool front = area < 0;  // counter-clockwise to the eye, y down
         if (area == 0 || (cull_back && !front)) continue;
         if (front) std::swap(c[1], c[2]);
-        const auto [x0, x1] = quads(std::min({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}), std::max({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}));
-        const auto [y0, y1] = quads(std::min({c[0].fixed_y, c[1].fixed_y, c[2].fixed_y}), std::max({c[0].fixed_y, c[1].fixed_y, c[2].fixed_y}));
+        const auto [x0, x1] = quads(std::min({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}),
+                                    std::max({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}));
+        const auto [y0, y1] = quads(std::min({c[0].fixed_y, c[1].fixed_y, c[2].fixed_y}),
+                                    std::max({c[0].fixed_y, c[1].fixed_y, c[2].fixed_y}));
         for (int y = y0; y <= y1; y += 2) {
             for (int x = x0; x <= x1; x += 2) shade_quad(canvas, c, x, y, front, bindings, fragment);
         }

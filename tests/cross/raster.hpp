@@ -1,5 +1,5 @@
-// A small rasteriser with the rules of Direct3D, Metal and Vulkan: positions rounded to 1/256 pixel, the top-left rule,
-// perspective-correct varyings, quads of four pixels with helpers outside of the triangle.
+// A small rasteriser with the rules of Direct3D, Metal and Vulkan: positions rounded to 1/256 pixel, the
+// top-left rule, perspective-correct varyings, quads of four pixels with helpers outside of the triangle.
 #pragma once
 
 #include "tests/cross/metal/driver.hpp"
@@ -12,7 +12,7 @@ struct RasterVertex {
     SgNumbers varyings;
 };
 
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices, bool cull_back,
-                 const SgBindings& bindings, SgFragmentFunction fragment);
+Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices,
+                 bool cull_back, const SgBindings& bindings, SgFragmentFunction fragment);
 
 }  // namespace sg::cross

@@ -15,15 +15,20 @@ namespace {
 using target::Language;
 using target::Target;
 
-bool is_web(const Target& target) { return target.name == "essl300"; }
-bool is_recipe(const Target& target) { return &target == &wgsl_recipe(); }
+bool is_web(const Target& target) {
+    return target.name == "essl300";
+}
+bool is_recipe(const Target& target) {
+    return &target == &wgsl_recipe();
+}
 
 // The two stages of every entry point of a sample in a target.
 std::vector<ShaderPair> pairs_of(const Sample& sample, const Target& target) {
     std::vector<ShaderPair> out;
     for (const runtime::EntryPoint& entry : sample.artefact.entries) {
         auto text = [&](const char* stage) {
-            return sample.texts.at(sample.name + "." + entry.name + "." + stage + "." + std::string(target.name) + "." + std::string(target.extension));
+            return sample.texts.at(sample.name + "." + entry.name + "." + stage + "." +
+                                   std::string(target.name) + "." + std::string(target.extension));
         };
         out.push_back({text("vert"), text("frag")});
     }
@@ -42,7 +47,8 @@ std::vector<std::string> refusals_of(const std::vector<ShaderPair>& pairs, const
         texts.push_back(pair.fragment);
     }
     if (target.language == Language::glsl || target.language == Language::essl) {
-        for (const ShaderPair& pair : pairs) out.push_back(gl_refusal(pair.vertex, pair.fragment, target.language));
+        for (const ShaderPair& pair : pairs)
+            out.push_back(gl_refusal(pair.vertex, pair.fragment, target.language));
         return out;
     }
     auto single = target.language == Language::hlsl ? hlsl_refusals(hlsl) : metal_refusals(texts);
@@ -65,14 +71,18 @@ void fill_recipe(std::vector<Result>& rows) {
     WgslOutcome outcome = wgsl_draw(drawings, texts);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         drawn[i]->refusal += outcome.refusals[i];
-        if (!outcome.pictures[i].empty()) drawn[i]->difference = compare(expected(sample(drawn[i]->sample), wgsl_recipe()), outcome.pictures[i]);
+        if (!outcome.pictures[i].empty())
+            drawn[i]->difference =
+                compare(expected(sample(drawn[i]->sample), wgsl_recipe()), outcome.pictures[i]);
     }
-    for (std::size_t i = 0; i < of_text.size(); ++i) of_text[i]->refusal += outcome.refusals[drawn.size() + i];
+    for (std::size_t i = 0; i < of_text.size(); ++i)
+        of_text[i]->refusal += outcome.refusals[drawn.size() + i];
 }
 
 std::vector<Result> results_of(const Target& target) {
     std::vector<Result> out;
-    for (const std::string& name : sample_names()) out.push_back({name, &target, missing_tool(target), "", {}});
+    for (const std::string& name : sample_names())
+        out.push_back({name, &target, missing_tool(target), "", {}});
     if (!missing_tool(target).empty()) return out;
     if (is_recipe(target)) {
         fill_recipe(out);
@@ -96,27 +106,33 @@ std::vector<Result> results_of(const Target& target) {
     }
     auto pictures = draw_all(drawings);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (!pictures[i].empty()) drawn[i]->difference = compare(expected(sample(drawn[i]->sample), target), pictures[i]);
+        if (!pictures[i].empty())
+            drawn[i]->difference = compare(expected(sample(drawn[i]->sample), target), pictures[i]);
     }
     return out;
 }
 
 }  // namespace
 
-// HLSL comes back as SPIR-V and runs on the same device with the same inputs: what may differ is the order of about a
+// HLSL comes back as SPIR-V and runs on the same device with the same inputs: what may differ is the order of
+// about a
 //   hundred additions and multiplications of numbers near 1, each off by 2^-24.
-// The others interpolate by themselves (GL with its rows upside down, Metal in our rasteriser). Interpolation in 32-bit
-//   floats is off by some 4 units in the last place. Positions are 4.9 radii from the camera at most, and one pixel is
-//   0.016 radii wide (30 degrees, 128 pixels): the difference of two of them, a screen derivative, is off by
-//   4 2^-23 4.9 / 0.016 = 1.5e-4 of itself, and so is the direction of a tangent that follows from it. Texture
-//   coordinates are off by 4 2^-23, which at 10 repeats of 256 texels, with normals that turn by 0.3 from texel to
-//   texel, turns the normal by 3.7e-4. Together 5.2e-4. Where the surface turns away from the eye the determinant of the
-//   texture's derivatives is much smaller than the product of their lengths and the first part grows: ten times as much
-//   for the last thousandth of the pixels.
-// Positions are rounded to 1/256 pixel from values with those errors, so a pixel in a thousand may be covered by one
-//   picture alone, and where two rasterisers differ (Metal), a pixel on an edge may be shaded from the neighbouring facet.
-//   Facets turn by 2 pi / 64 around the tube; the frame's derivatives turn with them, and a gradient of 1/2 moves by 0.05.
-// WGSL is compared with SwiftShader's own Vulkan, which interpolates the same numbers: as HLSL, but for the y that naga
+// The others interpolate by themselves (GL with its rows upside down, Metal in our rasteriser). Interpolation
+// in 32-bit
+//   floats is off by some 4 units in the last place. Positions are 4.9 radii from the camera at most, and one
+//   pixel is 0.016 radii wide (30 degrees, 128 pixels): the difference of two of them, a screen derivative,
+//   is off by 4 2^-23 4.9 / 0.016 = 1.5e-4 of itself, and so is the direction of a tangent that follows from
+//   it. Texture coordinates are off by 4 2^-23, which at 10 repeats of 256 texels, with normals that turn by
+//   0.3 from texel to texel, turns the normal by 3.7e-4. Together 5.2e-4. Where the surface turns away from
+//   the eye the determinant of the texture's derivatives is much smaller than the product of their lengths
+//   and the first part grows: ten times as much for the last thousandth of the pixels.
+// Positions are rounded to 1/256 pixel from values with those errors, so a pixel in a thousand may be covered
+// by one
+//   picture alone, and where two rasterisers differ (Metal), a pixel on an edge may be shaded from the
+//   neighbouring facet. Facets turn by 2 pi / 64 around the tube; the frame's derivatives turn with them, and
+//   a gradient of 1/2 moves by 0.05.
+// WGSL is compared with SwiftShader's own Vulkan, which interpolates the same numbers: as HLSL, but for the y
+// that naga
 //   negates and Chromium's driver negates back, which moves pixels on the outline.
 Limit limit_of(const Target& target) {
     constexpr double kRounding = 100.0 / (1 << 24), kInterpolation = 5.2e-4, kFacet = 0.05;
@@ -157,7 +173,8 @@ std::string_view drawn_by(const Target& target) {
 }
 
 std::string missing_tool(const Target& target) {
-    if (target.language == Language::hlsl) return has_program("glslangValidator") ? "" : "no glslangValidator";
+    if (target.language == Language::hlsl)
+        return has_program("glslangValidator") ? "" : "no glslangValidator";
     if (target.language == Language::msl) return metal_missing();
     if (is_recipe(target)) return wgsl_missing();
     return is_web(target) ? webgl_missing() : gl_missing(target.language);

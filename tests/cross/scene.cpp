@@ -21,16 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& what, const Diags& diags) { throw std::runtime_error(what + ":\n" + render(diags)); }
+[[noreturn]] void fail(const std::string& what, const Diags& diags) {
+    throw std::runtime_error(what + ":\n" + render(diags));
+}
 
 constexpr const char* kSwiftShader = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
-// llvmpipe draws both for Vulkan and for GL. Its short cuts (8-bit filtering, one level of detail per four pixels,
-// approximate logarithms) are switched off, so that what differs is the text alone. WebGPU runs on SwiftShader, which is
-// a Vulkan driver too. Drivers and their loader read these when they start.
+// llvmpipe draws both for Vulkan and for GL. Its short cuts (8-bit filtering, one level of detail per four
+// pixels, approximate logarithms) are switched off, so that what differs is the text alone. WebGPU runs on
+// SwiftShader, which is a Vulkan driver too. Drivers and their loader read these when they start.
 bool prepare_drivers() {
     const char* listed = std::getenv("VK_ICD_FILENAMES");
-    ::setenv(listed ? "VK_ICD_FILENAMES" : "VK_ADD_DRIVER_FILES", ((listed ? listed + std::string(":") : "") + kSwiftShader).c_str(), 1);
+    ::setenv(listed ? "VK_ICD_FILENAMES" : "VK_ADD_DRIVER_FILES",
+             ((listed ? listed + std::string(":") : "") + kSwiftShader).c_str(), 1);
     return ::setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod,no_rho_approx,no_brilinear", 1) == 0;
 }
 const bool kReady = prepare_drivers();
@@ -141,7 +144,8 @@ const Sample& sample(const std::string& name) {
     static const target::ShaderLibrary kLibrary = target::embedded_library();
     static std::map<std::string, Sample> samples;
     auto it = samples.find(name);
-    return it == samples.end() ? samples.emplace(name, make_sample(name, "", kLibrary)).first->second : it->second;
+    return it == samples.end() ? samples.emplace(name, make_sample(name, "", kLibrary)).first->second
+                               : it->second;
 }
 
 const Sample& base_sample(const Sample& sample) {
@@ -173,7 +177,8 @@ Drawing drawing(const Sample& sample, const target::Target& target) {
     if (!mesh) fail(sample.name, diags);
     for (const runtime::VertexInput& input : entry.inputs) {
         auto bytes = runtime::attribute_bytes(*mesh, input.name);
-        Attribute attribute{input.location, input.components, std::vector<float>(bytes.size() / sizeof(float))};
+        Attribute attribute{input.location, input.components,
+                            std::vector<float>(bytes.size() / sizeof(float))};
         std::memcpy(attribute.values.data(), bytes.data(), bytes.size());
         out.attributes.push_back(std::move(attribute));
     }
@@ -182,7 +187,8 @@ Drawing drawing(const Sample& sample, const target::Target& target) {
     out.blocks = {bytes_of(runtime::frame_block(scene(), bounds, kSide, kSide, 0, 0)), sample.parameters,
                   bytes_of(runtime::object_block(scene().camera, instance.world_from_object))};
     for (std::size_t i = 0; i < sample.artefact.textures.size(); ++i) {
-        out.textures[sample.artefact.textures[i].binding] = {&sample.textures.chains[i], sample.artefact.textures[i].srgb};
+        out.textures[sample.artefact.textures[i].binding] = {&sample.textures.chains[i],
+                                                             sample.artefact.textures[i].srgb};
     }
     for (const runtime::SamplerSlot& slot : sample.artefact.samplers) out.samplers[slot.binding] = slot.state;
     out.cull_back = !sample.artefact.two_sided;
@@ -199,12 +205,15 @@ Pixels render_words(const Sample& sample, const ShaderWords& words, Driver drive
     Diags diags;
     auto view = runtime::find_view(artefact, "normal", diags);
     runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
-    auto draw = [&](runtime::gpu::Device& device) { return runtime::render(device, artefact, sample.textures, scene(), *view, options, diags); };
+    auto draw = [&](runtime::gpu::Device& device) {
+        return runtime::render(device, artefact, sample.textures, scene(), *view, options, diags);
+    };
     std::optional<runtime::Picture> picture;
     if (driver == Driver::llvmpipe) {
         picture = draw(llvmpipe());
     } else {
-        runtime::gpu::Device swiftshader = make_device("SwiftShader", false);  // ends here: it does not survive the end of the process
+        runtime::gpu::Device swiftshader =
+            make_device("SwiftShader", false);  // ends here: it does not survive the end of the process
         picture = draw(swiftshader);
     }
     if (!picture) fail(sample.name, diags);
@@ -221,9 +230,13 @@ const Pixels& reference(const Sample& sample, Driver driver) {
     return at->second;
 }
 
-std::vector<std::string> validation_messages() { return llvmpipe().log()->messages(); }
+std::vector<std::string> validation_messages() {
+    return llvmpipe().log()->messages();
+}
 
-bool has_swiftshader() { return fs::exists(kSwiftShader); }
+bool has_swiftshader() {
+    return fs::exists(kSwiftShader);
+}
 
 std::vector<float> texels_of(const asset::Image& image) {
     std::vector<float> out;
@@ -239,7 +252,8 @@ std::vector<float> linear_texels(const TextureView& view) {
     std::vector<float> out = texels_of(view.chain->front());
     for (std::size_t i = 0; view.srgb && i < out.size(); ++i) {
         const double v = double{out[i]};
-        if (i % 4 != 3) out[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+        if (i % 4 != 3)
+            out[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
     }
     return out;
 }

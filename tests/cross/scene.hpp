@@ -1,4 +1,5 @@
-// One scene and every sample of materials/, compiled for every target: what each API needs to draw it, as plain bytes.
+// One scene and every sample of materials/, compiled for every target: what each API needs to draw it, as
+// plain bytes.
 #pragma once
 
 #include <array>
@@ -40,17 +41,17 @@ struct TextureView {
     bool srgb = false;
 };
 
-// The entry point `normal` of one sample in one target; in a target of language spirv without texts, and with all slots
-// in `fragment`.
+// The entry point `normal` of one sample in one target; in a target of language spirv without texts, and with
+// all slots in `fragment`.
 struct Drawing {
     std::string sample;
     const target::Target* target = nullptr;
     Stage vertex, fragment;
     std::vector<Attribute> attributes;
     std::vector<std::uint32_t> indices;
-    std::array<std::vector<std::byte>, 3> blocks;  // by set: frame, material, object
-    std::map<std::uint32_t, TextureView> textures;                       // by binding in set 1
-    std::map<std::uint32_t, runtime::gpu::SamplerState> samplers;        // by binding in set 1
+    std::array<std::vector<std::byte>, 3> blocks;                  // by set: frame, material, object
+    std::map<std::uint32_t, TextureView> textures;                 // by binding in set 1
+    std::map<std::uint32_t, runtime::gpu::SamplerState> samplers;  // by binding in set 1
     bool cull_back = true;
 };
 
@@ -86,10 +87,10 @@ std::vector<float> texels_of(const asset::Image& image);
 std::vector<float> linear_texels(const TextureView& view);
 
 struct Difference {
-    double largest = 0;            // of any channel of any pixel that both cover
-    double p999 = 0;               // 99.9th percentile of the pixels' largest channel
-    std::size_t both = 0;          // pixels that both cover
-    std::size_t one_alone = 0;     // pixels that one covers and the other does not
+    double largest = 0;         // of any channel of any pixel that both cover
+    double p999 = 0;            // 99.9th percentile of the pixels' largest channel
+    std::size_t both = 0;       // pixels that both cover
+    std::size_t one_alone = 0;  // pixels that one covers and the other does not
 };
 Difference compare(const Pixels& a, const Pixels& b);
 

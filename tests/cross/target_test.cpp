@@ -21,22 +21,25 @@ std::vector<std::string> names(const std::vector<const target::Target*>& targets
     for (const target::Target* t : targets) out.emplace_back(t->name);
     return out;
 }
-std::vector<std::string> selected(const std::vector<std::string>& words) { return names(target::select_targets(words)); }
+std::vector<std::string> selected(const std::vector<std::string>& words) {
+    return names(target::select_targets(words));
+}
 
 TEST(Targets, NamesAndGroups) {
     using List = std::vector<std::string>;
     EXPECT_EQ(selected({"spirv"}), List{"spirv"});
     EXPECT_EQ(selected({"essl", "hlsl60", "essl300"}), (List{"hlsl60", "essl300", "essl310"}));
     EXPECT_EQ(selected({"msl", "hlsl", "glsl"}), (List{"hlsl50", "hlsl60", "msl21", "msl23", "glsl450"}));
-    EXPECT_EQ(target::target_words(), (List{"spirv", "hlsl50", "hlsl", "hlsl60", "msl21", "msl", "msl23", "glsl450", "glsl", "essl300", "essl", "essl310"}));
+    EXPECT_EQ(target::target_words(), (List{"spirv", "hlsl50", "hlsl", "hlsl60", "msl21", "msl", "msl23",
+                                            "glsl450", "glsl", "essl300", "essl", "essl310"}));
 }
 
 TEST(Targets, EveryRowIsInTheDocs) {
     std::string text = test::read_file(test::source_dir() / "compiler/targets.md");
     for (const target::Target& t : target::all_targets()) {
         bool spirv = t.language == target::Language::spirv;
-        std::string row = fmt::format("| `{}` | `{}` | `<stem>.<entry>.<vert\\|frag>.{}{}` | {} |", t.name, t.group,
-                                      spirv ? "" : std::string(t.name) + ".", t.extension, t.doc);
+        std::string row = fmt::format("| `{}` | `{}` | `<stem>.<entry>.<vert\\|frag>.{}{}` | {} |", t.name,
+                                      t.group, spirv ? "" : std::string(t.name) + ".", t.extension, t.doc);
         EXPECT_NE(text.find(row), text.npos) << "missing line:\n" << row;
     }
 }
@@ -53,17 +56,22 @@ TEST(Targets, TheCommandLineWritesWhatWasAskedFor) {
     const std::string sample = (test::source_dir() / "materials/normal_map.json").string();
     const fs::path out = scratch() / "asked";
     auto compile = [&](const std::string& list) {
-        return run(fmt::format("'{}' compile '{}' -o '{}' --entry normal --target {} 2>&1", SG_SURFGRADC, sample, out.string(), list));
+        return run(fmt::format("'{}' compile '{}' -o '{}' --entry normal --target {} 2>&1", SG_SURFGRADC,
+                               sample, out.string(), list));
     };
     Outcome unknown = compile("hlsl70");
     EXPECT_EQ(unknown.exit_code, 2) << unknown.text;
     EXPECT_EQ(files_below(out), std::vector<std::string>{});
     Outcome fine = compile("essl,hlsl60");
     EXPECT_EQ(fine.exit_code, 0) << fine.text;
-    EXPECT_EQ(files_below(out), (std::vector<std::string>{"normal_map.json", "normal_map.normal.frag.essl300.glsl", "normal_map.normal.frag.essl310.glsl",
-                                                          "normal_map.normal.frag.hlsl60.hlsl", "normal_map.normal.vert.essl300.glsl",
-                                                          "normal_map.normal.vert.essl310.glsl", "normal_map.normal.vert.hlsl60.hlsl"}));
-    auto stage = nlohmann::json::parse(test::read_file(out / "normal_map.json"))["entry_points"][0]["stages"][0];
+    EXPECT_EQ(
+        files_below(out),
+        (std::vector<std::string>{
+            "normal_map.json", "normal_map.normal.frag.essl300.glsl", "normal_map.normal.frag.essl310.glsl",
+            "normal_map.normal.frag.hlsl60.hlsl", "normal_map.normal.vert.essl300.glsl",
+            "normal_map.normal.vert.essl310.glsl", "normal_map.normal.vert.hlsl60.hlsl"}));
+    auto stage =
+        nlohmann::json::parse(test::read_file(out / "normal_map.json"))["entry_points"][0]["stages"][0];
     EXPECT_FALSE(stage.contains("file"));
     EXPECT_EQ(stage["targets"].size(), 3u);
 }
@@ -85,12 +93,17 @@ TEST(Targets, PlacesNeverOverlap) {
             for (const auto& stage : entry["stages"]) {
                 for (const auto& text : stage["targets"]) {
                     for (const auto& row : text["bindings"]) {
-                        std::string target = text["target"].get<std::string>() + " " + row["kind"].get<std::string>() + " ";
-                        std::string resource = fmt::format("{}{} {}", target, row["set"].dump(), row["binding"].dump());
+                        std::string target =
+                            text["target"].get<std::string>() + " " + row["kind"].get<std::string>() + " ";
+                        std::string resource =
+                            fmt::format("{}{} {}", target, row["set"].dump(), row["binding"].dump());
                         std::string place = target;
-                        for (const char* key : {"register", "space", "index", "unit"}) place += row.contains(key) ? row[key].dump() + " " : "";
-                        EXPECT_EQ(by_place.try_emplace(place, resource).first->second, resource) << name << ": " << place;
-                        EXPECT_EQ(by_resource.try_emplace(resource, place).first->second, place) << name << ": " << resource;
+                        for (const char* key : {"register", "space", "index", "unit"})
+                            place += row.contains(key) ? row[key].dump() + " " : "";
+                        EXPECT_EQ(by_place.try_emplace(place, resource).first->second, resource)
+                            << name << ": " << place;
+                        EXPECT_EQ(by_resource.try_emplace(resource, place).first->second, place)
+                            << name << ": " << resource;
                     }
                 }
             }
@@ -109,15 +122,21 @@ target::ShaderLibrary library_with(const std::string& body) {
     return library;
 }
 
-// Bilinear filtering by hand: the same picture whether four texels are gathered or, as in ESSL 3.00, read one by one.
+// Bilinear filtering by hand: the same picture whether four texels are gathered or, as in ESSL 3.00, read one
+// by one.
 TEST(Targets, GatherIsFourReadsInEssl300) {
-    Sample gathered = make_sample("normal_map", "_gather", library_with(
-        "vec2 p = uv.st * vec2(textureSize(sampler2D(image, filtering), 0)) - 0.5; vec2 f = p - floor(p);\n"
-        "    vec4 g = textureGather(sampler2D(image, filtering), (floor(p) + 1.0) / vec2(textureSize(sampler2D(image, filtering), 0)));\n"
-        "    float red = mix(mix(g.w, g.z, f.x), mix(g.x, g.y, f.x), f.y); return vec4(red, 0.5 * red, 1.0, 1.0);"));
+    Sample gathered =
+        make_sample("normal_map", "_gather",
+                    library_with("vec2 p = uv.st * vec2(textureSize(sampler2D(image, filtering), 0)) - 0.5; "
+                                 "vec2 f = p - floor(p);\n"
+                                 "    vec4 g = textureGather(sampler2D(image, filtering), (floor(p) + 1.0) / "
+                                 "vec2(textureSize(sampler2D(image, filtering), 0)));\n"
+                                 "    float red = mix(mix(g.w, g.z, f.x), mix(g.x, g.y, f.x), f.y); return "
+                                 "vec4(red, 0.5 * red, 1.0, 1.0);"));
     for (const char* name : {"glsl450", "essl310", "essl300"}) {
         const target::Target& target = *target::find_target(name);
-        EXPECT_EQ(gathered.texts.at(fmt::format("normal_map_gather.normal.frag.{}.glsl", name)).find("textureGather") == std::string::npos,
+        EXPECT_EQ(gathered.texts.at(fmt::format("normal_map_gather.normal.frag.{}.glsl", name))
+                          .find("textureGather") == std::string::npos,
                   std::string_view(name) == "essl300");
         if (!missing_tool(target).empty()) GTEST_SKIP() << name << ": " << missing_tool(target);
         Difference d = compare(reference(gathered), draw_all({drawing(gathered, target)}).at(0));
@@ -151,12 +170,16 @@ TEST(Targets, WhatATargetLacksIsRefusedByName) {
     EXPECT_EQ(messages_of(levels, {"spirv", "hlsl", "msl23", "glsl"}), "");
     EXPECT_EQ(messages_of(green, {"spirv", "hlsl", "msl", "glsl", "essl310"}), "");
     EXPECT_EQ(messages_of(levels, {"essl"}),
-              "error: 'wall.normal' asks for the number of levels of a texture (textureQueryLevels), which essl300 cannot express [SG1401]\n"
-              "error: 'wall.normal' asks for the number of levels of a texture (textureQueryLevels), which essl310 cannot express [SG1401]\n");
+              "error: 'wall.normal' asks for the number of levels of a texture (textureQueryLevels), which "
+              "essl300 cannot express [SG1401]\n"
+              "error: 'wall.normal' asks for the number of levels of a texture (textureQueryLevels), which "
+              "essl310 cannot express [SG1401]\n");
     EXPECT_EQ(messages_of(level, {"essl310"}),
-              "error: 'wall.normal' asks for the level of detail of a texture (textureQueryLod), which essl310 cannot express [SG1401]\n");
+              "error: 'wall.normal' asks for the level of detail of a texture (textureQueryLod), which "
+              "essl310 cannot express [SG1401]\n");
     EXPECT_EQ(messages_of(green, {"essl"}),
-              "error: 'wall.normal' gathers texels of another channel than red, with offsets or with a comparison (textureGather), which essl300 "
+              "error: 'wall.normal' gathers texels of another channel than red, with offsets or with a "
+              "comparison (textureGather), which essl300 "
               "cannot express [SG1401]\n");
 }
 

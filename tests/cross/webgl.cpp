@@ -14,14 +14,19 @@ constexpr const char* kFlags = "--use-gl=angle --use-angle=gl-egl --ignore-gpu-b
 
 Json level_json(const asset::Image& image) {
     const bool is_float = image.format != asset::TexelFormat::unorm8;
-    return {{"width", image.width}, {"height", image.height}, {"float", is_float}, {"bytes", is_float ? base64(texels_of(image)) : base64(image.bytes)}};
+    return {{"width", image.width},
+            {"height", image.height},
+            {"float", is_float},
+            {"bytes", is_float ? base64(texels_of(image)) : base64(image.bytes)}};
 }
 
 Json sampler_json(const runtime::gpu::SamplerState& state) {
     constexpr const char* kWraps[] = {"REPEAT", "MIRRORED_REPEAT", "CLAMP_TO_EDGE"};
     std::string within = state.linear ? "LINEAR" : "NEAREST";
     using enum runtime::gpu::MipFilter;
-    std::string between = state.mip_filter == none ? "" : state.mip_filter == linear ? "_MIPMAP_LINEAR" : "_MIPMAP_NEAREST";
+    std::string between = state.mip_filter == none     ? ""
+                          : state.mip_filter == linear ? "_MIPMAP_LINEAR"
+                                                       : "_MIPMAP_NEAREST";
     return {{"TEXTURE_WRAP_S", kWraps[static_cast<std::size_t>(state.wrap_s)]},
             {"TEXTURE_WRAP_T", kWraps[static_cast<std::size_t>(state.wrap_t)]},
             {"TEXTURE_MAG_FILTER", within},
@@ -30,9 +35,13 @@ Json sampler_json(const runtime::gpu::SamplerState& state) {
 
 // `textures` grows by what no drawing had before.
 Json drawing_json(const Drawing& drawing, Json& textures) {
-    Json out = {{"vertex", drawing.vertex.text}, {"fragment", drawing.fragment.text}, {"indices", base64(drawing.indices)}, {"cull", drawing.cull_back}};
+    Json out = {{"vertex", drawing.vertex.text},
+                {"fragment", drawing.fragment.text},
+                {"indices", base64(drawing.indices)},
+                {"cull", drawing.cull_back}};
     for (const Attribute& a : drawing.attributes) {
-        out["attributes"].push_back({{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
+        out["attributes"].push_back(
+            {{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
     }
     for (const Stage* stage : {&drawing.vertex, &drawing.fragment}) {
         for (const Slot& slot : stage->slots) {
@@ -60,16 +69,20 @@ Json drawing_json(const Drawing& drawing, Json& textures) {
 std::string webgl_missing() {
     static const std::string kMissing = [] {
         if (browser().empty()) return std::string("no chromium-headless-shell and no chromium");
-        std::string body = body_of("document.body.textContent = !!document.createElement('canvas').getContext('webgl2')", kFlags);
+        std::string body = body_of(
+            "document.body.textContent = !!document.createElement('canvas').getContext('webgl2')", kFlags);
         return body == "true" ? "" : browser() + " has no WebGL 2 here";
     }();
     return kMissing;
 }
 
 PageOutcome webgl_draw(const std::vector<Drawing>& drawings, const std::vector<ShaderPair>& pairs) {
-    Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"pairs", Json::array()}};
-    for (const Drawing& drawing : drawings) input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    for (const ShaderPair& pair : pairs) input["pairs"].push_back({{"vertex", pair.vertex}, {"fragment", pair.fragment}});
+    Json input = {
+        {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"pairs", Json::array()}};
+    for (const Drawing& drawing : drawings)
+        input["drawings"].push_back(drawing_json(drawing, input["textures"]));
+    for (const ShaderPair& pair : pairs)
+        input["pairs"].push_back({{"vertex", pair.vertex}, {"fragment", pair.fragment}});
     return run_page(input.dump(), {"bytes.js", "webgl.js"}, kFlags, drawings.size(), pairs.size());
 }
 

@@ -33,16 +33,19 @@ const std::map<std::string, Written>& written(const Sample& sample) {
     std::string files;
     std::vector<std::string> names;
     for (const runtime::EntryPoint& entry : sample.artefact.entries) {
-        for (const auto& [stage, shader] : {std::pair{"vert", &entry.vertex}, std::pair{"frag", &entry.fragment}}) {
+        for (const auto& [stage, shader] :
+             {std::pair{"vert", &entry.vertex}, std::pair{"frag", &entry.fragment}}) {
             names.push_back(entry.name + "." + stage);
             write_file(folder / names.back(), target::bytes(shader->words));
             files += fmt::format(" '{}'", (folder / names.back()).string());
         }
     }
-    Outcome outcome = run(fmt::format("node '{}/spirv_to_wgsl.mjs' '{}' {} 2>&1", SG_WGSL_DIR, folder.string(), files));
+    Outcome outcome =
+        run(fmt::format("node '{}/spirv_to_wgsl.mjs' '{}' {} 2>&1", SG_WGSL_DIR, folder.string(), files));
     if (outcome.exit_code != 0) throw std::runtime_error("node: " + outcome.text);
     for (const std::string& name : names) {
-        at->second[name] = {test::read_file(folder / (name + ".wgsl")), test::read_file(folder / (name + ".refused"))};
+        at->second[name] = {test::read_file(folder / (name + ".wgsl")),
+                            test::read_file(folder / (name + ".refused"))};
     }
     return at->second;
 }
@@ -57,9 +60,13 @@ Json sampler_json(const runtime::gpu::SamplerState& state) {
 }
 
 Json drawing_json(const Drawing& drawing, Json& textures) {
-    Json out = {{"vertex", drawing.vertex.text}, {"fragment", drawing.fragment.text}, {"indices", base64(drawing.indices)}, {"cull", drawing.cull_back}};
+    Json out = {{"vertex", drawing.vertex.text},
+                {"fragment", drawing.fragment.text},
+                {"indices", base64(drawing.indices)},
+                {"cull", drawing.cull_back}};
     for (const Attribute& a : drawing.attributes) {
-        out["attributes"].push_back({{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
+        out["attributes"].push_back(
+            {{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
     }
     for (const Slot& slot : drawing.fragment.slots) {
         Json row = {{"set", slot.set}, {"binding", slot.binding}, {"kind", slot.kind}};
@@ -69,7 +76,9 @@ Json drawing_json(const Drawing& drawing, Json& textures) {
             const TextureView& view = drawing.textures.at(slot.binding);
             const asset::Image& image = view.chain->front();
             std::string key = fmt::format("{} {}", static_cast<const void*>(view.chain), view.srgb);
-            if (!textures.contains(key)) textures[key] = {{"width", image.width}, {"height", image.height}, {"bytes", base64(linear_texels(view))}};
+            if (!textures.contains(key))
+                textures[key] = {
+                    {"width", image.width}, {"height", image.height}, {"bytes", base64(linear_texels(view))}};
             row["texture"] = key;
         }
         out["slots"].push_back(row);
@@ -80,14 +89,16 @@ Json drawing_json(const Drawing& drawing, Json& textures) {
 }  // namespace
 
 const target::Target& wgsl_recipe() {
-    static constexpr target::Target kRecipe{"wgsl (recipe)", "wgsl", "wgsl", target::Language::spirv, 0, "", "WGSL by naga"};
+    static constexpr target::Target kRecipe{"wgsl (recipe)", "wgsl", "wgsl", target::Language::spirv, 0, "",
+                                            "WGSL by naga"};
     return kRecipe;
 }
 
 std::string wgsl_missing() {
     static const std::string kMissing = [] {
         if (!has_program("node")) return std::string("no node");
-        if (!std::filesystem::exists(SG_WGSL_DIR "/node_modules/naga-wasm")) return std::string("no npm package naga-wasm@30.1.0");
+        if (!std::filesystem::exists(SG_WGSL_DIR "/node_modules/naga-wasm"))
+            return std::string("no npm package naga-wasm@30.1.0");
         if (browser().empty()) return std::string("no chromium-headless-shell and no chromium");
         if (!has_swiftshader()) return std::string("no SwiftShader beside Chromium");
         std::string body = body_of("document.body.textContent = !!navigator.gpu", kFlags);
@@ -98,7 +109,8 @@ std::string wgsl_missing() {
 
 Drawing wgsl_drawing(const Sample& sample) {
     Drawing out = drawing(sample, wgsl_recipe());
-    for (auto [stage, name] : {std::pair{&out.vertex, "normal.vert"}, std::pair{&out.fragment, "normal.frag"}}) {
+    for (auto [stage, name] :
+         {std::pair{&out.vertex, "normal.vert"}, std::pair{&out.fragment, "normal.frag"}}) {
         const Written& shader = written(sample).at(name);
         if (!shader.refusal.empty()) throw std::runtime_error(sample.name + ": " + shader.refusal);
         stage->text = shader.text;
@@ -115,9 +127,12 @@ std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) 
 }
 
 WgslOutcome wgsl_draw(const std::vector<Drawing>& drawings, const std::vector<std::string>& texts) {
-    Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", texts}};
-    for (const Drawing& drawing : drawings) input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    PageOutcome page = run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
+    Json input = {
+        {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", texts}};
+    for (const Drawing& drawing : drawings)
+        input["drawings"].push_back(drawing_json(drawing, input["textures"]));
+    PageOutcome page =
+        run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
     return {std::move(page.pictures), std::move(page.refusals)};
 }
 

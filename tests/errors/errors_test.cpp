@@ -1,5 +1,5 @@
-// Every message that a material can cause, whole: cases/NAME.json in, cases/NAME.txt out. The file's name starts
-// with the code that it is about.
+// Every message that a material can cause, whole: cases/NAME.json in, cases/NAME.txt out. The file's name
+// starts with the code that it is about.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,14 +57,16 @@ TEST(Errors, WholeMessages) {
 
 TEST(Errors, TextThatIsNotUtf8) {
     EXPECT_EQ(check("wall.json", "{ \"version\": 1, \"name\": \"\xFF\" }"),
-              "wall.json:1:26: error: syntax error while parsing value - invalid string: ill-formed UTF-8 byte [SG1004]\n"
+              "wall.json:1:26: error: syntax error while parsing value - invalid string: ill-formed UTF-8 "
+              "byte [SG1004]\n"
               "{ \"version\": 1, \"name\": \"\xFF\" }\n"
               "                         ^\n");
 }
 
 TEST(Errors, DepthIsRefused) {
     std::string out = check("deep.json", std::string(200, '['));
-    EXPECT_EQ(out.substr(0, out.find('\n')), "deep.json:1:129: error: nested deeper than 128 levels [SG1002]");
+    EXPECT_EQ(out.substr(0, out.find('\n')),
+              "deep.json:1:129: error: nested deeper than 128 levels [SG1002]");
 }
 
 TEST(Errors, FileThatCannotBeRead) {
@@ -73,10 +75,13 @@ TEST(Errors, FileThatCannotBeRead) {
         ReadResult read(const fs::path&) override { return {Status::unreadable, "", "Permission denied"}; }
         bool exists(const fs::path&) override { return true; }
         fs::path canonical(const fs::path& path) override { return path.lexically_normal(); }
-        std::string write_all(const std::vector<std::pair<fs::path, std::string>>&) override { return "never"; }
+        std::string write_all(const std::vector<std::pair<fs::path, std::string>>&) override {
+            return "never";
+        }
     } files;
-    CompileRequest request{.source = std::make_shared<Source>(
-        Source{"wall.json", R"({"version":1,"textures":{"a":{"file":"a.png","encoding":"tangent_normal"}}})"})};
+    CompileRequest request{
+        .source = std::make_shared<Source>(Source{
+            "wall.json", R"({"version":1,"textures":{"a":{"file":"a.png","encoding":"tangent_normal"}}})"})};
     request.roots = {"/m"};
     Diags diags;
     EXPECT_FALSE(check_material(request, files, diags));
@@ -124,7 +129,8 @@ TEST(Errors, EveryCodeIsExercised) {
     std::string all;
     for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / "tests")) {
         fs::path extension = entry.path().extension();
-        if (extension == ".txt" || extension == ".cpp" || extension == ".sh") all += test::read_file(entry.path());
+        if (extension == ".txt" || extension == ".cpp" || extension == ".sh")
+            all += test::read_file(entry.path());
     }
     for (const CodeInfo& info : all_codes()) {
         std::string tag = "[SG" + std::to_string(static_cast<int>(info.code)) + "]";

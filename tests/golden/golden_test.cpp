@@ -1,4 +1,5 @@
-// Every sample in materials/: golden IR, optimised IR, GLSL and manifest; every shader valid; the same bytes again.
+// Every sample in materials/: golden IR, optimised IR, GLSL and manifest; every shader valid; the same bytes
+// again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +56,8 @@ TEST_P(Sample, Golden) {
     Compiled out = compile(GetParam());
     test::expect_golden("golden/" + stem + "/lowered.ir", out.ir);
     test::expect_golden("golden/" + stem + "/optimised.ir", out.optimised_ir);
-    for (const NamedText& t : out.glsl) test::expect_golden("golden/" + stem + "/" + t.name + ".glsl", t.text);
+    for (const NamedText& t : out.glsl)
+        test::expect_golden("golden/" + stem + "/" + t.name + ".glsl", t.text);
     test::expect_golden("golden/" + stem + "/manifest.json", without_shader_hashes(out.files.back().second));
 }
 
@@ -74,7 +76,9 @@ TEST_P(Sample, EveryShaderIsValidAtEveryLevel) {
     }
 }
 
-TEST_P(Sample, SameBytesTwice) { EXPECT_EQ(compile(GetParam()).files, compile(GetParam()).files); }
+TEST_P(Sample, SameBytesTwice) {
+    EXPECT_EQ(compile(GetParam()).files, compile(GetParam()).files);
+}
 
 INSTANTIATE_TEST_SUITE_P(Materials, Sample, testing::ValuesIn(samples()),
                          [](const auto& sample) { return sample.param.stem().string(); });

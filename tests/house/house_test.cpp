@@ -1,5 +1,5 @@
-// The house rules, enforced: who may include whom, how long functions and files may be, where third parties may be
-// seen, what shader files may hold.
+// The house rules, enforced: who may include whom, how long functions and files may be, where third parties
+// may be seen, what shader files may hold.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,14 +23,17 @@ std::vector<fs::path> files(std::initializer_list<const char*> folders, std::set
     std::vector<fs::path> out;
     for (const char* folder : folders) {
         for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / folder)) {
-            if (entry.is_regular_file() && extensions.count(entry.path().extension().string())) out.push_back(entry.path());
+            if (entry.is_regular_file() && extensions.count(entry.path().extension().string()))
+                out.push_back(entry.path());
         }
     }
     std::sort(out.begin(), out.end());
     return out;
 }
 
-std::string below_root(const fs::path& path) { return path.lexically_relative(test::source_dir()).generic_string(); }
+std::string below_root(const fs::path& path) {
+    return path.lexically_relative(test::source_dir()).generic_string();
+}
 
 std::vector<std::string> lines(const fs::path& path) {
     std::istringstream stream(test::read_file(path));
@@ -68,12 +71,14 @@ TEST(House, CompilerFoldersIncludeDownwardsOnly) {
         std::string folder = *fs::path(below_root(path)).lexically_relative("compiler").begin();
         auto row = kMayInclude.find(folder);
         if (row == kMayInclude.end()) {
-            EXPECT_TRUE(folder.find('.') != folder.npos) << below_root(path) << ": the folder is not in the layering table";
+            EXPECT_TRUE(folder.find('.') != folder.npos)
+                << below_root(path) << ": the folder is not in the layering table";
             continue;  // compiler/*.cpp may include all of compiler/
         }
         for (const std::string& include : includes(path)) {
             std::string target = *fs::path(include).begin();
-            EXPECT_TRUE(target == folder || row->second.count(target)) << below_root(path) << " includes " << include;
+            EXPECT_TRUE(target == folder || row->second.count(target))
+                << below_root(path) << " includes " << include;
         }
     }
 }
@@ -84,7 +89,8 @@ TEST(House, RuntimeKnowsTheManifestOnly) {
         bool proof = below_root(path).starts_with("runtime/proof/");
         for (const std::string& include : includes(path)) {
             std::string target = *fs::path(include).begin();
-            EXPECT_TRUE(allowed.count(target) || (proof && target == "ir")) << below_root(path) << " includes " << include;
+            EXPECT_TRUE(allowed.count(target) || (proof && target == "ir"))
+                << below_root(path) << " includes " << include;
         }
     }
 }
@@ -92,7 +98,8 @@ TEST(House, RuntimeKnowsTheManifestOnly) {
 // Headers that cost seconds to compile stay in the files that need them.
 TEST(House, HeavyHeadersStayInTheirFacades) {
     const std::map<std::string, std::set<std::string>> facades = {
-        {"nlohmann/", {"compiler/json/json.cpp", "compiler/artefact.cpp", "compiler/schema.cpp", "runtime/manifest.cpp"}},
+        {"nlohmann/",
+         {"compiler/json/json.cpp", "compiler/artefact.cpp", "compiler/schema.cpp", "runtime/manifest.cpp"}},
         {"glslang/", {"compiler/target/spirv.cpp"}},
         {"spirv-tools/", {"compiler/target/spirv.cpp"}},
         {"spirv_cross/", {"compiler/target/cross.cpp"}},
@@ -102,7 +109,8 @@ TEST(House, HeavyHeadersStayInTheirFacades) {
         for (const std::string& include : includes(path, '<')) {
             for (const auto& [prefix, allowed] : facades) {
                 if (!include.starts_with(prefix)) continue;
-                EXPECT_TRUE(allowed.count(below_root(path))) << below_root(path) << " includes <" << include << ">";
+                EXPECT_TRUE(allowed.count(below_root(path)))
+                    << below_root(path) << " includes <" << include << ">";
             }
         }
     }
@@ -116,7 +124,8 @@ TEST(House, FilesAreShort) {
     }
 }
 
-// Counts lines from a line that opens a function's body to the one that closes it: our formatter ends the first with
+// Counts lines from a line that opens a function's body to the one that closes it: our formatter ends the
+// first with
 // '{' and puts the closing brace at the same indent. Lambdas count as part of the function around them.
 bool opens_function(const std::string& line) {
     bool body = line.ends_with(") {") || line.ends_with(") const {") || line.ends_with(") override {");
@@ -130,7 +139,8 @@ bool opens_function(const std::string& line) {
 
 TEST(House, FunctionsAreShort) {
     std::size_t functions = 0;
-    for (const fs::path& path : files({"compiler", "runtime", "shader_lib", "materials", "tests"}, {".cpp", ".hpp", ".glsl"})) {
+    for (const fs::path& path :
+         files({"compiler", "runtime", "shader_lib", "materials", "tests"}, {".cpp", ".hpp", ".glsl"})) {
         std::vector<std::string> text = lines(path);
         for (std::size_t i = 0; i < text.size(); ++i) {
             if (!opens_function(text[i])) continue;
@@ -144,18 +154,21 @@ TEST(House, FunctionsAreShort) {
     EXPECT_GT(functions, 400u);  // the pattern still finds them
 }
 
-// shader_lib/surfgrad: pure functions. No uniforms, layouts, screen derivatives, built-in inputs, early returns.
+// shader_lib/surfgrad: pure functions. No uniforms, layouts, screen derivatives, built-in inputs, early
+// returns.
 TEST(House, LibraryFilesArePure) {
     for (const fs::path& path : files({"shader_lib/surfgrad", "shader_lib/lighting"}, {".glsl"})) {
         std::size_t returns = 0;
         for (std::string line : lines(path)) {
             line = line.substr(0, line.find("//"));
-            for (const char* word : {"uniform ", "layout(", "dFdx", "dFdy", "fwidth", "gl_", "textureQueryLod", "isnan"}) {
+            for (const char* word :
+                 {"uniform ", "layout(", "dFdx", "dFdy", "fwidth", "gl_", "textureQueryLod", "isnan"}) {
                 EXPECT_EQ(line.find(word), std::string::npos) << below_root(path) << ": " << line;
             }
             returns += line.find("return") != std::string::npos ? 1 : 0;
             EXPECT_LE(returns, 1u) << below_root(path) << ": " << line;
-            if (!line.empty() && line[0] != ' ' && line.find('}') != std::string::npos) returns = 0;  // a function ends
+            if (!line.empty() && line[0] != ' ' && line.find('}') != std::string::npos)
+                returns = 0;  // a function ends
         }
     }
 }
@@ -164,7 +177,8 @@ TEST(House, LibraryFilesIncludeTheLibraryOnly) {
     for (const fs::path& path : files({"shader_lib"}, {".glsl"})) {
         bool stage = below_root(path).starts_with("shader_lib/stage/");
         for (const std::string& include : includes(path)) {
-            bool good = include.starts_with("surfgrad/") || (stage && (include.starts_with("stage/") || include.starts_with("lighting/")));
+            bool good = include.starts_with("surfgrad/") ||
+                        (stage && (include.starts_with("stage/") || include.starts_with("lighting/")));
             EXPECT_TRUE(good) << below_root(path) << " includes " << include;
         }
     }

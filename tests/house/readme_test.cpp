@@ -25,13 +25,15 @@ std::string document(const char* path) {
 TEST(Readme, EveryDiagnosticIsListedWithCauseAndMend) {
     std::string text = document("compiler/README.md");
     for (const CodeInfo& info : all_codes()) {
-        std::string row = "| SG" + std::to_string(static_cast<int>(info.code)) + " | " + std::string(info.cause) + " | " +
-                          std::string(info.mend) + " |";
+        std::string row = "| SG" + std::to_string(static_cast<int>(info.code)) + " | " +
+                          std::string(info.cause) + " | " + std::string(info.mend) + " |";
         EXPECT_NE(text.find(row), std::string::npos) << "missing line:\n" << row;
     }
 }
 
-TEST(Readme, ThePageOfKindsIsFresh) { test::expect_golden("../materials/kinds.md", kinds_markdown()); }
+TEST(Readme, ThePageOfKindsIsFresh) {
+    test::expect_golden("../materials/kinds.md", kinds_markdown());
+}
 
 TEST(Readme, EveryRuleAndEntryPointIsListed) {
     std::string text = document("compiler/README.md");
@@ -59,7 +61,8 @@ TEST(Readme, EveryMakeTargetExists) {
 
 TEST(Readme, EveryPathThatIsNamedExists) {
     std::regex link("\\]\\(([A-Za-z0-9_./-]+)\\)");
-    for (const char* path : {"README.md", "compiler/README.md", "runtime/README.md", "shader_lib/README.md", "materials/README.md"}) {
+    for (const char* path : {"README.md", "compiler/README.md", "runtime/README.md", "shader_lib/README.md",
+                             "materials/README.md"}) {
         std::string text = document(path);
         fs::path folder = (test::source_dir() / path).parent_path();
         for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {

@@ -87,8 +87,10 @@ public:
                 [set](PixelInputs & p) -> auto& { return p.uvs[set].dy; }, kVectors);
         }
         for (const ir::Value& value : module_.values) {
-            if (value.op == ir::Op::volume_object) sum += volume([](PixelInputs & p) -> auto& { return p.object; });
-            if (value.op == ir::Op::volume_world) sum += volume([](PixelInputs & p) -> auto& { return p.world; });
+            if (value.op == ir::Op::volume_object)
+                sum += volume([](PixelInputs & p) -> auto& { return p.object; });
+            if (value.op == ir::Op::volume_world)
+                sum += volume([](PixelInputs & p) -> auto& { return p.world; });
         }
         for (std::size_t i = 0; i < material_.textures.size(); ++i) {
             if (!material_.textures[i].chain.empty()) sum += texture(i);
@@ -122,9 +124,12 @@ private:
     // A place and its derivatives; the place is looked up in cells, like a coordinate.
     template <class Field>
     double volume(Field field) {
-        double sum = moved<3>([&](PixelInputs & p) -> auto& { return field(p).p; }, kCoordinates, 1.0);
-        sum += moved<3>([&](PixelInputs & p) -> auto& { return field(p).dx; }, kVectors);
-        return sum + moved<3>([&](PixelInputs & p) -> auto& { return field(p).dy; }, kVectors);
+        double sum = moved<3>(
+            [&](PixelInputs & p) -> auto& { return field(p).p; }, kCoordinates, 1.0);
+        sum += moved<3>(
+            [&](PixelInputs & p) -> auto& { return field(p).dx; }, kVectors);
+        return sum + moved<3>(
+                         [&](PixelInputs & p) -> auto& { return field(p).dy; }, kVectors);
     }
 
     double texture(std::size_t i) {

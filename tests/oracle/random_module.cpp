@@ -116,8 +116,8 @@ private:
 
     // Arithmetic on these has no bound of its own: a power of a power would soon be infinite.
     static bool grows(Type type) {
-        return type == Type::Scalar || type == Type::Vec2 || type == Type::Color || type == Type::Volume || type == Type::Noise ||
-               type == Type::LocalGrad || type == Type::VolGrad || type == Type::Uv;
+        return type == Type::Scalar || type == Type::Vec2 || type == Type::Color || type == Type::Volume ||
+               type == Type::Noise || type == Type::LocalGrad || type == Type::VolGrad || type == Type::Uv;
     }
 
     std::mt19937_64& random_;

@@ -62,14 +62,16 @@ std::size_t covered_count(const runtime::Picture& picture) {
 // The smallest roughness that a number, a parameter at its default, or a mix of two of them, can give.
 double least_roughness(const nlohmann::json& material, const nlohmann::json& written) {
     if (written.is_number()) return written.get<double>();
-    if (written.is_string()) return material.at("parameters").at(written.get<std::string>().substr(1)).at("default").get<double>();
+    if (written.is_string())
+        return material.at("parameters").at(written.get<std::string>().substr(1)).at("default").get<double>();
     return std::min(least_roughness(material, written.at("a")), least_roughness(material, written.at("b")));
 }
 
 double limit(const std::string& json, const std::string& view) {
     if (view != "lit") return 1e-5;
     const nlohmann::json material = nlohmann::json::parse(json);
-    const double roughness = least_roughness(material, material.at("surface").value("roughness", nlohmann::json(0.5)));
+    const double roughness =
+        least_roughness(material, material.at("surface").value("roughness", nlohmann::json(0.5)));
     return std::max(1e-5, 8 * std::ldexp(1, -24) / std::pow(roughness, 4));
 }
 
@@ -105,8 +107,8 @@ TEST_P(Samples, EveryDebugViewDrawsFiniteNumbers) {
     EXPECT_EQ(validation_messages(), std::vector<std::string>{});
 }
 
-// Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place. Layers that mix
-// cover what lies before them, so that their order means something.
+// Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place.
+// Layers that mix cover what lies before them, so that their order means something.
 TEST_P(Samples, OrderOfLayersDoesNotMatter) {
     nlohmann::json material = nlohmann::json::parse(files().at(GetParam()));
     if (files().at(GetParam()).find("\"blend\": \"mix\"") != std::string::npos) {

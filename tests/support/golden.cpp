@@ -8,7 +8,9 @@
 
 namespace sg::test {
 
-std::filesystem::path source_dir() { return SG_SOURCE_DIR; }
+std::filesystem::path source_dir() {
+    return SG_SOURCE_DIR;
+}
 
 std::string read_file(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -34,8 +36,9 @@ void expect_golden(const std::filesystem::path& path, const std::string& text) {
         if (!more_want) want_line = "<end of file>";
         if (!more_have) have_line = "<end of file>";
         if (want_line == have_line && more_want) continue;
-        ADD_FAILURE() << path.string() << ":" << line << "\n  golden: " << want_line << "\n  now:    " << have_line
-                      << "\nIf the change is meant: cmake --build build/release --target accept, then review the diff.";
+        ADD_FAILURE()
+            << path.string() << ":" << line << "\n  golden: " << want_line << "\n  now:    " << have_line
+            << "\nIf the change is meant: cmake --build build/release --target accept, then review the diff.";
         return;
     }
 }

@@ -13,6 +13,8 @@ glm::dvec3 gradient_to_world(const glm::dmat3& world_from_object, glm::dvec3 gra
     return glm::transpose(glm::inverse(world_from_object)) * gradient;
 }
 
-double footprint(glm::dvec3 dpdx, glm::dvec3 dpdy) { return std::max(glm::length(dpdx), glm::length(dpdy)); }
+double footprint(glm::dvec3 dpdx, glm::dvec3 dpdy) {
+    return std::max(glm::length(dpdx), glm::length(dpdy));
+}
 
 }  // namespace sg::ref

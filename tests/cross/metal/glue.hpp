@@ -1,24 +1,34 @@
-// Between the texts and the functions of driver.hpp; included by the generated file alone, after metal_stdlib.
+// Between the texts and the functions of driver.hpp; included by the generated file alone, after
+// metal_stdlib.
 #pragma once
 
 #include "driver.hpp"
 
-template <typename V> void sg_load(V& out, const float (&from)[4]) {
+template <typename V>
+void sg_load(V& out, const float (&from)[4]) {
     for (int i = 0; i < SgSize<V>::value; ++i) out[i] = from[i];
 }
-inline void sg_load(float& out, const float (&from)[4]) { out = from[0]; }
-template <typename V> void sg_store(const V& value, float (&to)[4]) {
+inline void sg_load(float& out, const float (&from)[4]) {
+    out = from[0];
+}
+template <typename V>
+void sg_store(const V& value, float (&to)[4]) {
     for (int i = 0; i < SgSize<V>::value; ++i) to[i] = value[i];
 }
-inline void sg_store(float value, float (&to)[4]) { to[0] = value; }
+inline void sg_store(float value, float (&to)[4]) {
+    to[0] = value;
+}
 
-inline metal::texture2d<float> sg_texture(const SgTextureData& data) { return {data.texels, data.width, data.height}; }
+inline metal::texture2d<float> sg_texture(const SgTextureData& data) {
+    return {data.texels, data.width, data.height};
+}
 inline metal::sampler sg_sampler(const SgSamplerData& data) {
     return {metal::SgWrap(data.wrap_s), metal::SgWrap(data.wrap_t), data.linear != 0};
 }
 
 // `shade(pixel)` runs one pixel of the quad.
-template <typename Shade> void sg_run_quad(Shade shade, bool (&discarded)[4]) {
+template <typename Shade>
+void sg_run_quad(Shade shade, bool (&discarded)[4]) {
     SgQuad quad;
     std::memset(quad.values, 0, sizeof(quad.values));
     sg_quad = &quad;

@@ -10,14 +10,16 @@
 namespace sg {
 namespace {
 
-SourcePtr source(std::string text) { return std::make_shared<Source>(Source{"a.json", std::move(text)}); }
+SourcePtr source(std::string text) {
+    return std::make_shared<Source>(Source{"a.json", std::move(text)});
+}
 
 TEST(Source, ColumnsCountCodePoints) {
     std::string text = "ab\n\xC3\xA9\xE2\x82\xACx\n";
     EXPECT_EQ(line_column(text, 0).column, 1u);
     EXPECT_EQ(line_column(text, 3).line, 2u);
-    EXPECT_EQ(line_column(text, 8).column, 3u);    // behind a two-byte and a three-byte character
-    EXPECT_EQ(line_column(text, 1000).line, 3u);   // past the end: the end
+    EXPECT_EQ(line_column(text, 8).column, 3u);   // behind a two-byte and a three-byte character
+    EXPECT_EQ(line_column(text, 1000).line, 3u);  // past the end: the end
 }
 
 TEST(Diag, PointsWithACaretUnderEachCharacter) {
@@ -34,8 +36,8 @@ TEST(Diag, CutsLongLinesAroundThePlace) {
     Diags diags;
     diags.error(Code::json_syntax, {source(text), {500, 501}, ""}, "here");
     std::string out = render(diags);
-    EXPECT_EQ(out, "a.json:1:501: error: here [SG1001]\n" + std::string(60, 'a') + "X" + std::string(59, 'b') + "\n" +
-                       std::string(60, ' ') + "^\n");
+    EXPECT_EQ(out, "a.json:1:501: error: here [SG1001]\n" + std::string(60, 'a') + "X" +
+                       std::string(59, 'b') + "\n" + std::string(60, ' ') + "^\n");
 }
 
 TEST(Diag, TabsAndControlCharactersDoNotMoveTheCaret) {
@@ -47,10 +49,12 @@ TEST(Diag, TabsAndControlCharactersDoNotMoveTheCaret) {
 TEST(Diag, JsonFormIsOneObjectALine) {
     Diags diags;
     diags.error(Code::out_of_range, {source("{\"a\": 5}"), {6, 7}, "/a"}, "'a' is \"5\"");
-    EXPECT_EQ(render(diags, DiagFormat::json),
-              "{\"severity\":\"error\",\"code\":\"SG1104\",\"message\":\"'a' is \\\"5\\\"\",\"file\":\"a.json\",\"line\":1,"
-              "\"column\":7,\"end_line\":1,\"end_column\":8,\"byte_begin\":6,\"byte_end\":7,\"pointer\":\"/a\","
-              "\"mend\":\"choose a number inside the range\"}\n");
+    EXPECT_EQ(
+        render(diags, DiagFormat::json),
+        "{\"severity\":\"error\",\"code\":\"SG1104\",\"message\":\"'a' is "
+        "\\\"5\\\"\",\"file\":\"a.json\",\"line\":1,"
+        "\"column\":7,\"end_line\":1,\"end_column\":8,\"byte_begin\":6,\"byte_end\":7,\"pointer\":\"/a\","
+        "\"mend\":\"choose a number inside the range\"}\n");
 }
 
 TEST(Diag, ExitCodeNamesWhoMustAct) {

@@ -22,7 +22,9 @@ TEST(Names, KeepTheirPromises) {
     EXPECT_EQ(names.unique("m_", std::string(500, 'a')).size(), 50u);
 }
 
-TEST(Names, CommentsStayOneLine) { EXPECT_EQ(comment_text("a\nb\\ \u00e9*/"), "a?b? ??*/"); }
+TEST(Names, CommentsStayOneLine) {
+    EXPECT_EQ(comment_text("a\nb\\ \u00e9*/"), "a?b? ??*/");
+}
 
 TEST(Names, LiteralsAreFloats) {
     EXPECT_EQ(float_literal(1), "1.0");
@@ -43,28 +45,35 @@ std::string body_of(std::string_view text) {
 }
 
 TEST(Body, ValuesThatAreUsedOnceGetNoName) {
-    EXPECT_EQ(body_of("%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"),
-              "-> sg_base_normal(sg_in_normal)");
+    EXPECT_EQ(
+        body_of("%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"),
+        "-> sg_base_normal(sg_in_normal)");
 }
 
 TEST(Body, ParenthesesOnlyWhereTheTreeNeedsThem) {
     constexpr std::string_view kHead =
         "%0 = zero_surfgrad : SurfGrad\n%1 = constant 2 : Scalar\n%2 = constant 3 : Scalar\n";
     auto tail = [&](std::string lines) { return body_of(std::string(kHead) + lines); };
-    EXPECT_EQ(tail("%3 = add_surfgrad %0 %0 : SurfGrad\n%4 = scale_surfgrad %1 %3 : SurfGrad\noutput gradient = %4\n"),
+    EXPECT_EQ(tail("%3 = add_surfgrad %0 %0 : SurfGrad\n%4 = scale_surfgrad %1 %3 : SurfGrad\noutput "
+                   "gradient = %4\n"),
               "-> 2.0 * (vec3(0.0) + vec3(0.0))");
-    EXPECT_EQ(tail("%3 = scale_surfgrad %1 %0 : SurfGrad\n%4 = add_surfgrad %0 %3 : SurfGrad\noutput gradient = %4\n"),
+    EXPECT_EQ(tail("%3 = scale_surfgrad %1 %0 : SurfGrad\n%4 = add_surfgrad %0 %3 : SurfGrad\noutput "
+                   "gradient = %4\n"),
               "-> vec3(0.0) + 2.0 * vec3(0.0)");
-    EXPECT_EQ(tail("%3 = scale_surfgrad %1 %0 : SurfGrad\n%4 = scale_surfgrad %2 %3 : SurfGrad\noutput gradient = %4\n"),
+    EXPECT_EQ(tail("%3 = scale_surfgrad %1 %0 : SurfGrad\n%4 = scale_surfgrad %2 %3 : SurfGrad\noutput "
+                   "gradient = %4\n"),
               "-> 3.0 * (2.0 * vec3(0.0))");
-    EXPECT_EQ(tail("%3 = add_surfgrad %0 %0 : SurfGrad\n%4 = add_surfgrad %3 %0 : SurfGrad\noutput gradient = %4\n"),
-              "-> vec3(0.0) + vec3(0.0) + vec3(0.0)");
+    EXPECT_EQ(
+        tail(
+            "%3 = add_surfgrad %0 %0 : SurfGrad\n%4 = add_surfgrad %3 %0 : SurfGrad\noutput gradient = %4\n"),
+        "-> vec3(0.0) + vec3(0.0) + vec3(0.0)");
 }
 
 TEST(Interface, BlocksFollowStd140) {
     std::string fault;
     auto module = ir::parse(
-        "parameter 0 \"a\" : Scalar\nparameter 1 \"b\" : Vec3\nparameter 2 \"c\" : Scalar\nparameter 3 \"d\" : Vec2\n"
+        "parameter 0 \"a\" : Scalar\nparameter 1 \"b\" : Vec3\nparameter 2 \"c\" : Scalar\nparameter 3 \"d\" "
+        ": Vec2\n"
         "parameter 4 \"e\" : Vec4\n",
         fault);
     ASSERT_TRUE(module) << fault;
@@ -78,8 +87,10 @@ TEST(Interface, BlocksFollowStd140) {
 TEST(Interface, TexturesThatSampleAlikeShareASampler) {
     std::string fault;
     auto module = ir::parse(
-        "texture 0 \"a\" tangent_normal\ntexture 1 \"unused\" tangent_normal\ntexture 2 \"b\" tangent_normal\n"
-        "texture 3 \"c\" tangent_normal\n%0 = uv_set 0 : Uv\n%1 = sample 0 %0 : Texel\n%2 = sample 2 %0 : Texel\n"
+        "texture 0 \"a\" tangent_normal\ntexture 1 \"unused\" tangent_normal\ntexture 2 \"b\" "
+        "tangent_normal\n"
+        "texture 3 \"c\" tangent_normal\n%0 = uv_set 0 : Uv\n%1 = sample 0 %0 : Texel\n%2 = sample 2 %0 : "
+        "Texel\n"
         "%3 = sample 3 %0 : Texel\n",
         fault);
     ASSERT_TRUE(module) << fault;

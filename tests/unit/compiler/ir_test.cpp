@@ -33,8 +33,12 @@ output base_color = %7
 output uv 3 = %0
 )";
 
-TEST(Ir, PrintsWhatItParses) { EXPECT_EQ(print(parsed(kWhole)), kWhole); }
-TEST(Ir, TheWholeExampleVerifies) { EXPECT_EQ(verify(parsed(kWhole)), ""); }
+TEST(Ir, PrintsWhatItParses) {
+    EXPECT_EQ(print(parsed(kWhole)), kWhole);
+}
+TEST(Ir, TheWholeExampleVerifies) {
+    EXPECT_EQ(verify(parsed(kWhole)), "");
+}
 
 TEST(Ir, CommentsAndBlankLinesAreSkipped) {
     EXPECT_EQ(print(parsed("# head\n\nmodule \"m\"  # tail\n")), "module \"m\"\n");
@@ -76,11 +80,13 @@ TEST(Ir, VerifierRefusesIllegalMixes) {
         "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n"
         "%8 = surfgrad_from_tbn %7 %4 : SurfGrad\n";
     const FaultCase cases[] = {
-        {"%9 = add_surfgrad %8 %7 : SurfGrad", "%9: 'add_surfgrad' takes SurfGrad as operand 1, found Deriv (%7)\n"},
+        {"%9 = add_surfgrad %8 %7 : SurfGrad",
+         "%9: 'add_surfgrad' takes SurfGrad as operand 1, found Deriv (%7)\n"},
         {"%9 = resolve %2 %7 : Normal", "%9: 'resolve' takes SurfGrad as operand 1, found Deriv (%7)\n"},
         {"%9 = resolve %1 %8 : Normal", "%9: 'resolve' takes Normal as operand 0, found VertexNormal (%1)\n"},
         {"%9 = add_deriv %7 %8 : Deriv", "%9: 'add_deriv' takes Deriv as operand 1, found SurfGrad (%8)\n"},
-        {"%9 = surfgrad_from_tbn %6 %4 : SurfGrad", "%9: 'surfgrad_from_tbn' takes Deriv as operand 0, found TangentNormal (%6)\n"},
+        {"%9 = surfgrad_from_tbn %6 %4 : SurfGrad",
+         "%9: 'surfgrad_from_tbn' takes Deriv as operand 0, found TangentNormal (%6)\n"},
         {"%9 = decode_normal_xyz 126 %5 : TangentNormal", "%9: zero 126 is not in 127..128\n"},
         {"%9 = uv_set 8 : Uv", "%9: uv set 8 is not in 0..7\n"},
         {"%9 = sample 1 %0 : Texel", "%9: no such texture\n"},
@@ -96,7 +102,8 @@ TEST(Ir, VerifierRefusesIllegalMixes) {
         {"output normal = %2\noutput normal = %2", "output normal: is set twice\n"},
     };
     EXPECT_EQ(verify(parsed(kHead)), "");
-    for (const FaultCase& c : cases) EXPECT_EQ(verify(parsed(std::string(kHead) + std::string(c.text))), c.fault);
+    for (const FaultCase& c : cases)
+        EXPECT_EQ(verify(parsed(std::string(kHead) + std::string(c.text))), c.fault);
 }
 
 TEST(Ir, EveryRowIsWhole) {
@@ -104,7 +111,8 @@ TEST(Ir, EveryRowIsWhole) {
         EXPECT_FALSE(op.meaning.empty()) << op.name;
         EXPECT_FALSE(op.glsl.empty()) << op.name;
         for (std::size_t i = 0; i < op.operands.size(); ++i) {
-            EXPECT_NE(op.glsl.find("{" + std::to_string(i) + "}"), std::string_view::npos) << op.name << " drops an operand";
+            EXPECT_NE(op.glsl.find("{" + std::to_string(i) + "}"), std::string_view::npos)
+                << op.name << " drops an operand";
         }
         bool calls = op.glsl.find("sg_") == 0 && op.glsl.find("sg_in_") != 0;
         EXPECT_EQ(calls, !op.include.empty()) << op.name;

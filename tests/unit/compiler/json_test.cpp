@@ -12,10 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SourcePtr source(std::string text) { return std::make_shared<Source>(Source{"a.json", std::move(text)}); }
+SourcePtr source(std::string text) {
+    return std::make_shared<Source>(Source{"a.json", std::move(text)});
+}
 
 std::string_view text_of(const Document& document, const Value& value) {
-    return std::string_view(document.source->text).substr(value.span.begin, value.span.end - value.span.begin);
+    return std::string_view(document.source->text)
+        .substr(value.span.begin, value.span.end - value.span.begin);
 }
 
 TEST(Json, EveryValueKnowsItsBytes) {
@@ -51,7 +54,10 @@ public:
             case 3:
                 return list("[", "]", [&] { return value(depth + 1); });
             default:
-                return list("{", "}", [&] { return "\"k" + std::to_string(keys_++) + "\"" + blank() + ":" + blank() + value(depth + 1); });
+                return list("{", "}", [&] {
+                    return "\"k" + std::to_string(keys_++) + "\"" + blank() + ":" + blank() +
+                           value(depth + 1);
+                });
         }
     }
 
@@ -99,7 +105,9 @@ TEST(Json, DepthIsLimitedNotTheStack) {
     EXPECT_EQ(diags.all()[0].code, Code::json_limit);
 }
 
-TEST(Json, PointerStepsEscape) { EXPECT_EQ(pointer_step("a/b~c"), "/a~1b~0c"); }
+TEST(Json, PointerStepsEscape) {
+    EXPECT_EQ(pointer_step("a/b~c"), "/a~1b~0c");
+}
 
 // The conformance suite: y_ must parse, n_ must be refused with a place; nothing crashes.
 TEST(Json, ConformanceSuite) {

@@ -31,74 +31,94 @@ const std::string kSurface =
     "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n";
 const std::string kTexture = "texture 0 \"t\" tangent_normal\n";
 
+const RuleCase kCases[] = {
+    {"scale_by_one",
+     "%8 = constant 1 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : "
+     "SurfGrad\n"
+     "%11 = scale_surfgrad %8 %10 : SurfGrad\noutput gradient = %11\n",
+     "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"scale_to_nothing",
+     "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = facing : Scalar\n"
+     "%11 = mask_surfgrad %9 %10 : SurfGrad\n%12 = scale_surfgrad %8 %11 : SurfGrad\noutput gradient = "
+     "%12\n",
+     "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+    {"scale_before_projection",
+     "%8 = facing : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : "
+     "SurfGrad\n"
+     "output gradient = %10\n",
+     "%7 = facing : Scalar\n%8 = scale_deriv %7 %6 : Deriv\n%9 = surfgrad_from_tbn %8 %2 : "
+     "SurfGrad\noutput gradient = %9\n"},
+    {"trivial_mask",
+     "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : "
+     "SurfGrad\n"
+     "output gradient = %10\n",
+     "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"trivial_mask",
+     "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : "
+     "SurfGrad\n"
+     "output gradient = %10\n",
+     "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+    {"trivial_mix",
+     "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = zero_surfgrad : SurfGrad\n"
+     "%11 = mix_surfgrad %10 %9 %8 : SurfGrad\noutput gradient = %11\n",
+     "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"mask_before_projection",
+     "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = "
+     "noise_gradient %10 %9 : LocalGrad\n"
+     "%12 = gradient_from_world %11 : VolGrad\n%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
+     "%14 = mask_surfgrad %13 %10 : SurfGrad\n%15 = add_surfgrad %13 %14 : SurfGrad\noutput gradient = "
+     "%15\n",
+     "%7 = mask_volgrad %6 %4 : VolGrad\n%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 "
+     "%8 : SurfGrad\n"
+     "output gradient = %9\n"},
+    {"mix_before_projection",
+     "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : "
+     "Scalar\n"
+     "%12 = noise_gradient %10 %9 : LocalGrad\n%13 = gradient_from_world %12 : VolGrad\n%14 = "
+     "noise_gradient %11 %9 : LocalGrad\n"
+     "%15 = gradient_from_world %14 : VolGrad\n%16 = surfgrad_from_volume %1 %13 : SurfGrad\n"
+     "%17 = surfgrad_from_volume %1 %15 : SurfGrad\n%18 = mix_surfgrad %16 %17 %10 : SurfGrad\noutput "
+     "gradient = %18\n",
+     "%10 = mix_volgrad %7 %9 %4 : VolGrad\n%11 = surfgrad_from_volume %1 %10 : SurfGrad\noutput "
+     "gradient = %11\n"},
+    {"fold_numbers",
+     "%8 = constant 2 : Scalar\n%9 = constant 3 : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = subtract "
+     "%10 %8 : Scalar\n"
+     "output metallic = %11\n",
+     "%0 = constant 4 : Scalar\noutput metallic = %0\n"},
+    {"neutral_number",
+     "%8 = constant 1 : Scalar\n%9 = facing : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = constant 0 : "
+     "Scalar\n"
+     "%12 = add %10 %11 : Scalar\noutput metallic = %12\n",
+     "%0 = facing : Scalar\noutput metallic = %0\n"},
+    {"add_nothing",
+     "%8 = zero_surfgrad : SurfGrad\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = add_surfgrad %8 %9 : "
+     "SurfGrad\n"
+     "%11 = add_surfgrad %10 %8 : SurfGrad\noutput gradient = %11\n",
+     "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"resolve_nothing", "%8 = zero_surfgrad : SurfGrad\n%9 = resolve %1 %8 : Normal\noutput normal = %9\n",
+     "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"},
+    {"positive_tiling_shares_basis",
+     "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = constant 2 3 : Vec2\n%11 = uv_scale %4 "
+     "%10 : Uv\n"
+     "%12 = basis_uv %9 %11 : Basis\n%13 = surfgrad_from_tbn %7 %12 : SurfGrad\noutput gradient = %13\n",
+     "%8 = basis_uv %7 %2 : Basis\n%9 = surfgrad_from_tbn %5 %8 : SurfGrad\noutput gradient = %9\n"},
+    {"positive_tiling_turns_nothing",
+     "%8 = constant 2 3 : Vec2\n%9 = basis_mirror %3 %8 : Basis\n%10 = surfgrad_from_tbn %7 %9 : "
+     "SurfGrad\n"
+     "output gradient = %10\n",
+     "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"one_projection",
+     "%8 = constant 2 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %7 %3 : "
+     "SurfGrad\n"
+     "%11 = surfgrad_from_tbn %9 %3 : SurfGrad\n%12 = add_surfgrad %10 %11 : SurfGrad\noutput gradient = "
+     "%12\n",
+     "%9 = add_deriv %6 %8 : Deriv\n%10 = surfgrad_from_tbn %9 %2 : SurfGrad\noutput gradient = %10\n"},
+};
+
 TEST(Opt, EachRuleBeforeAndAfter) {
     std::set<std::string_view> seen;
-    const RuleCase cases[] = {
-        {"scale_by_one",
-         "%8 = constant 1 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %9 %3 : SurfGrad\n"
-         "%11 = scale_surfgrad %8 %10 : SurfGrad\noutput gradient = %11\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"scale_to_nothing",
-         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = facing : Scalar\n"
-         "%11 = mask_surfgrad %9 %10 : SurfGrad\n%12 = scale_surfgrad %8 %11 : SurfGrad\noutput gradient = %12\n",
-         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
-        {"scale_before_projection",
-         "%8 = facing : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = scale_surfgrad %8 %9 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%7 = facing : Scalar\n%8 = scale_deriv %7 %6 : Deriv\n%9 = surfgrad_from_tbn %8 %2 : SurfGrad\noutput gradient = %9\n"},
-        {"trivial_mask",
-         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"trivial_mask",
-         "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
-        {"trivial_mix",
-         "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = zero_surfgrad : SurfGrad\n"
-         "%11 = mix_surfgrad %10 %9 %8 : SurfGrad\noutput gradient = %11\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"mask_before_projection",
-         "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = noise_gradient %10 %9 : LocalGrad\n"
-         "%12 = gradient_from_world %11 : VolGrad\n%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
-         "%14 = mask_surfgrad %13 %10 : SurfGrad\n%15 = add_surfgrad %13 %14 : SurfGrad\noutput gradient = %15\n",
-         "%7 = mask_volgrad %6 %4 : VolGrad\n%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\n"
-         "output gradient = %9\n"},
-        {"mix_before_projection",
-         "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : Scalar\n"
-         "%12 = noise_gradient %10 %9 : LocalGrad\n%13 = gradient_from_world %12 : VolGrad\n%14 = noise_gradient %11 %9 : LocalGrad\n"
-         "%15 = gradient_from_world %14 : VolGrad\n%16 = surfgrad_from_volume %1 %13 : SurfGrad\n"
-         "%17 = surfgrad_from_volume %1 %15 : SurfGrad\n%18 = mix_surfgrad %16 %17 %10 : SurfGrad\noutput gradient = %18\n",
-         "%10 = mix_volgrad %7 %9 %4 : VolGrad\n%11 = surfgrad_from_volume %1 %10 : SurfGrad\noutput gradient = %11\n"},
-        {"fold_numbers",
-         "%8 = constant 2 : Scalar\n%9 = constant 3 : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = subtract %10 %8 : Scalar\n"
-         "output metallic = %11\n",
-         "%0 = constant 4 : Scalar\noutput metallic = %0\n"},
-        {"neutral_number",
-         "%8 = constant 1 : Scalar\n%9 = facing : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = constant 0 : Scalar\n"
-         "%12 = add %10 %11 : Scalar\noutput metallic = %12\n",
-         "%0 = facing : Scalar\noutput metallic = %0\n"},
-        {"add_nothing",
-         "%8 = zero_surfgrad : SurfGrad\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = add_surfgrad %8 %9 : SurfGrad\n"
-         "%11 = add_surfgrad %10 %8 : SurfGrad\noutput gradient = %11\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"resolve_nothing",
-         "%8 = zero_surfgrad : SurfGrad\n%9 = resolve %1 %8 : Normal\noutput normal = %9\n",
-         "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"},
-        {"positive_tiling_shares_basis",
-         "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = constant 2 3 : Vec2\n%11 = uv_scale %4 %10 : Uv\n"
-         "%12 = basis_uv %9 %11 : Basis\n%13 = surfgrad_from_tbn %7 %12 : SurfGrad\noutput gradient = %13\n",
-         "%8 = basis_uv %7 %2 : Basis\n%9 = surfgrad_from_tbn %5 %8 : SurfGrad\noutput gradient = %9\n"},
-        {"positive_tiling_turns_nothing",
-         "%8 = constant 2 3 : Vec2\n%9 = basis_mirror %3 %8 : Basis\n%10 = surfgrad_from_tbn %7 %9 : SurfGrad\n"
-         "output gradient = %10\n",
-         "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-        {"one_projection",
-         "%8 = constant 2 : Scalar\n%9 = scale_deriv %8 %7 : Deriv\n%10 = surfgrad_from_tbn %7 %3 : SurfGrad\n"
-         "%11 = surfgrad_from_tbn %9 %3 : SurfGrad\n%12 = add_surfgrad %10 %11 : SurfGrad\noutput gradient = %12\n",
-         "%9 = add_deriv %6 %8 : Deriv\n%10 = surfgrad_from_tbn %9 %2 : SurfGrad\noutput gradient = %10\n"},
-    };
-    for (const RuleCase& c : cases) {
+    for (const RuleCase& c : kCases) {
         std::string before = kTexture + kSurface + std::string(c.before);
         std::string after = optimised(before);
         EXPECT_TRUE(after.ends_with(c.after)) << c.rule << ":\n" << after;
@@ -129,7 +149,9 @@ TEST(Opt, OneProjectionReachesPastOtherLayers) {
                        "%17 = add_surfgrad %16 %15 : SurfGrad\noutput gradient = %17\n";
     std::string after = optimised(text);
     std::size_t projections = 0;
-    for (std::size_t at = after.find("surfgrad_from_tbn"); at != std::string::npos; at = after.find("surfgrad_from_tbn", at + 1)) ++projections;
+    for (std::size_t at = after.find("surfgrad_from_tbn"); at != std::string::npos;
+         at = after.find("surfgrad_from_tbn", at + 1))
+        ++projections;
     EXPECT_EQ(projections, 2u) << after;
     EXPECT_NE(after.find("add_deriv"), std::string::npos) << after;
 }
@@ -141,7 +163,9 @@ TEST(Opt, VolumeGradientsAddBeforeOneProjection) {
         "%6 = gradient_from_object %5 : VolGrad\n%7 = surfgrad_from_volume %1 %6 : SurfGrad\n"
         "%8 = gradient_from_world %5 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\n"
         "%10 = add_surfgrad %7 %9 : SurfGrad\noutput gradient = %10\n";
-    EXPECT_TRUE(optimised(text).ends_with("%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : SurfGrad\noutput gradient = %9\n"))
+    EXPECT_TRUE(
+        optimised(text).ends_with("%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 %8 : "
+                                  "SurfGrad\noutput gradient = %9\n"))
         << optimised(text);
 }
 
@@ -150,12 +174,16 @@ TEST(Opt, EqualValuesBecomeOne) {
                        "%8 = sample 0 %4 : Texel\n%9 = decode_normal_xyz 127.5 %8 : TangentNormal\n"
                        "%10 = deriv_from_normal_xyz %9 : Deriv\n%11 = add_deriv %7 %10 : Deriv\n"
                        "%12 = surfgrad_from_tbn %11 %3 : SurfGrad\noutput gradient = %12\n";
-    EXPECT_TRUE(optimised(text).ends_with("%7 = add_deriv %6 %6 : Deriv\n%8 = surfgrad_from_tbn %7 %2 : SurfGrad\noutput gradient = %8\n"));
+    EXPECT_TRUE(optimised(text).ends_with(
+        "%7 = add_deriv %6 %6 : Deriv\n%8 = surfgrad_from_tbn %7 %2 : SurfGrad\noutput gradient = %8\n"));
 }
 
 TEST(Opt, WhatNoLayerNeedsIsNotShown) {
-    std::string text = kTexture + kSurface + "output normal = %1\noutput uv 0 = %4\noutput basis_vertex = %3\n";
-    EXPECT_EQ(optimised(text), kTexture + "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n");
+    std::string text =
+        kTexture + kSurface + "output normal = %1\noutput uv 0 = %4\noutput basis_vertex = %3\n";
+    EXPECT_EQ(
+        optimised(text),
+        kTexture + "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n");
 }
 
 }  // namespace

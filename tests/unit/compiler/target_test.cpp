@@ -16,7 +16,8 @@ std::string fault_of(const std::string& body) {
 
 TEST(Spirv, FaultsNameTheirFileAndLine) {
     EXPECT_EQ(fault_of("void main() {\n  float x = y;\n}\n"), "x.frag:4: 'y' : undeclared identifier ");
-    EXPECT_EQ(fault_of("#include \"lib/a.glsl\"\nvoid main() {}\n"), "lib/a.glsl:1: 'b' : undeclared identifier ");
+    EXPECT_EQ(fault_of("#include \"lib/a.glsl\"\nvoid main() {}\n"),
+              "lib/a.glsl:1: 'b' : undeclared identifier ");
     EXPECT_NE(fault_of("#include \"lib/none.glsl\"\nvoid main() {}\n").find("x.frag:3:"), std::string::npos);
     EXPECT_EQ(fault_of("void main() {}\n"), "fine");
 }
@@ -27,14 +28,16 @@ TEST(Spirv, EveryLibraryFileCompilesAlone) {
     for (const auto& [name, text] : library.files) {
         Stage stage = name == "stage/vertex.glsl" ? Stage::vertex : Stage::fragment;
         std::string fault;
-        EXPECT_TRUE(compile_glsl(std::string(kHead) + "#include \"" + name + "\"\nvoid main() {}\n", name, stage, library, {}, fault))
+        EXPECT_TRUE(compile_glsl(std::string(kHead) + "#include \"" + name + "\"\nvoid main() {}\n", name,
+                                 stage, library, {}, fault))
             << fault;
     }
 }
 
 TEST(Spirv, OptimisingDoesNotGrowAndValidates) {
     std::string text = std::string(kHead) +
-                       "#include \"surfgrad/resolve.glsl\"\nlayout(location = 0) in vec3 n;\nlayout(location = 0) out vec4 o;\n"
+                       "#include \"surfgrad/resolve.glsl\"\nlayout(location = 0) in vec3 n;\nlayout(location "
+                       "= 0) out vec4 o;\n"
                        "void main() { o = vec4(sg_resolve(n, n.yzx), 1.0); }\n";
     ShaderLibrary library = embedded_library();
     std::string fault;
