@@ -9,19 +9,47 @@
 #include "emit/glsl.hpp"
 #include "opt/optimise.hpp"
 #include "stages.hpp"
+#include "target/usage.hpp"
 
 namespace sg {
 namespace {
 
+bool ships(const CompileRequest& request, target::Language language) {
+    return std::any_of(request.targets.begin(), request.targets.end(),
+                       [&](const target::Target* t) { return t->language == language; });
+}
+
+bool ships_texts(const CompileRequest& request) {
+    return std::any_of(request.targets.begin(), request.targets.end(),
+                       [](const target::Target* t) { return t->language != target::Language::spirv; });
+}
+
+// Optimising the SPIR-V may find inputs and resources that the result does not depend on: the vertex stage
+// stops handing them over and the manifest stops asking for them. Texts of other targets keep all, for their
+// compilers optimise later.
+void keep_used(emit::Shaders& shaders, const ir::Module& module, const emit::EntryPoint& entry,
+               const target::Words& fragment) {
+    const target::Usage used = target::usage(fragment);
+    std::erase_if(shaders.interface.varyings,
+                  [&](const emit::Varying& v) { return !used.inputs.contains(emit::varying_location(v)); });
+    for (emit::Binding& b : shaders.interface.bindings)
+        b.in_fragment = used.bindings.contains({b.set, b.binding});
+    std::erase_if(shaders.interface.bindings,
+                  [](const emit::Binding& b) { return !b.in_vertex && !b.in_fragment; });
+    shaders.vertex = emit::emit_vertex(module, entry, shaders.interface.varyings);
+}
+
 std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const emit::EntryPoint& entry,
                                            const ir::Module& module, const emit::MaterialInterface& interface,
                                            const target::ShaderLibrary& library, Diags& diags) {
-    emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
+    ir::Module selected = opt::select_outputs(module, entry.outputs);
+    emit::Shaders shaders = emit::emit_glsl(selected, entry, interface);
     std::string name = fmt::format("{}.{}", request.stem, entry.name);
-    target::Words vertex =
-        to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
     target::Words fragment =
         to_spirv(shaders.fragment, name + ".frag", target::Stage::fragment, library, request.spirv);
+    if (!ships_texts(request)) keep_used(shaders, selected, entry, fragment);
+    target::Words vertex =
+        to_spirv(shaders.vertex, name + ".vert", target::Stage::vertex, library, request.spirv);
     auto texts = cross_entry(shaders, name, request.targets, interface, library, diags);
     if (!texts) return std::nullopt;
     return CompiledEntry{&entry, std::move(shaders), std::move(vertex), std::move(fragment),
@@ -35,11 +63,6 @@ bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
 
 bool has_limits(const material::Budget& budget) {
     return std::any_of(budget.begin(), budget.end(), [](const auto& limit) { return limit.has_value(); });
-}
-
-bool ships(const CompileRequest& request, target::Language language) {
-    return std::any_of(request.targets.begin(), request.targets.end(),
-                       [&](const target::Target* t) { return t->language == language; });
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ std::vector<std::string> spelled_out(int argc, char** argv) {
     std::vector<std::string> out;
     for (int i = argc - 1; i > 0; --i) {  // CLI11 takes them last first
         std::string word = argv[i];
-        if (word == "-O0" || word == "-Os") word = "-" + word;
+        if (word.size() == 3 && word.starts_with("-O")) word = "-" + word;  // also -O3, which is unknown
         out.push_back(std::move(word));
     }
     return out;

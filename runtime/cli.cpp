@@ -96,6 +96,9 @@ void check(const Texts& texts, Arguments& out, Diags& diags) {
     if (out.output.empty() && out.dump_inputs.empty()) {
         diags.error(Code::bad_argument, "nothing to write: give -o FILE or --dump-inputs FILE");
     }
+    if (!out.output.empty() && out.output.lexically_normal() == out.dump_inputs.lexically_normal()) {
+        bad(diags, "--dump-inputs", "another file than -o", out.dump_inputs.string());
+    }
     if (!out.output.empty() && !picture_format(out.output)) {
         bad(diags, "--output", "a file that ends in .png, .exr or .pfm", out.output.string());
     }

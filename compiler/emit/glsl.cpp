@@ -49,23 +49,6 @@ std::string vertex_value(const Varying& v) {
     return as_it_is ? attribute : fmt::format("sg_stage_{}({})", vertex_input(v).name, attribute);
 }
 
-std::string vertex_text(const ir::Module& module, const EntryPoint& entry,
-                        const std::vector<Varying>& varyings) {
-    std::string out = head(module, "vertex", entry.name) + "#include \"stage/vertex.glsl\"\n\n";
-    for (const VertexInput& input : vertex_inputs(varyings)) {
-        out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type,
-                           input.name);
-    }
-    for (const Varying& v : varyings) {
-        out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v),
-                           vertex_input(v).glsl_type, varying_name(v));
-    }
-    out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
-    for (const Varying& v : varyings)
-        out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
-    return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
-}
-
 // ---- fragment ----
 
 std::string glsl_type(ir::Type type) {
@@ -209,6 +192,23 @@ std::vector<Binding> bindings_of(const EntryPoint& entry, const ir::Module& modu
 
 }  // namespace
 
+std::string emit_vertex(const ir::Module& module, const EntryPoint& entry,
+                        const std::vector<Varying>& varyings) {
+    std::string out = head(module, "vertex", entry.name) + "#include \"stage/vertex.glsl\"\n\n";
+    for (const VertexInput& input : vertex_inputs(varyings)) {
+        out += fmt::format("layout(location = {}) in {} sg_vertex_{};\n", input.location, input.glsl_type,
+                           input.name);
+    }
+    for (const Varying& v : varyings) {
+        out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v),
+                           vertex_input(v).glsl_type, varying_name(v));
+    }
+    out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
+    for (const Varying& v : varyings)
+        out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
+    return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
+}
+
 Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material) {
     Shaders out;
     Body body(module, material);
@@ -235,7 +235,7 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     text += fmt::format("layout(location = 0) out vec4 sg_out_{};\n\nvoid main() {{\n{}{}}}\n", entry.output,
                         body.text(), last);
     out.fragment = std::move(text);
-    out.vertex = vertex_text(module, entry, out.interface.varyings);
+    out.vertex = emit_vertex(module, entry, out.interface.varyings);
     return out;
 }
 

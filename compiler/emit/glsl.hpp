@@ -31,6 +31,9 @@ struct Shaders {
     std::uint32_t texture_reads = 0;
 };
 
+// The vertex shader that hands over these varyings.
+std::string emit_vertex(const ir::Module& module, const EntryPoint& entry, const std::vector<Varying>& varyings);
+
 // `module` holds the outputs of the entry point alone (opt::select_outputs) and is verified.
 Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material);
 

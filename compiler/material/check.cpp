@@ -63,12 +63,12 @@ void Checker::ids() {
 
 void Checker::surface() {
     const SurfaceDecl& s = in.surface;
-    expression(s.base_color, FieldKind::color, out.surface.base_color);
-    expression(s.metallic, FieldKind::number, out.surface.metallic);
-    expression(s.roughness, FieldKind::number, out.surface.roughness);
-    expression(s.occlusion, FieldKind::number, out.surface.occlusion);
-    expression(s.emission, FieldKind::color, out.surface.emission);
-    expression(s.opacity, FieldKind::number, out.surface.opacity);
+    expression(s.base_color, FieldKind::color, {0, 1}, out.surface.base_color);
+    expression(s.metallic, FieldKind::number, {0, 1}, out.surface.metallic);
+    expression(s.roughness, FieldKind::number, {0, 1}, out.surface.roughness);
+    expression(s.occlusion, FieldKind::number, {0, 1}, out.surface.occlusion);
+    expression(s.emission, FieldKind::color, {0, 1e4}, out.surface.emission);
+    expression(s.opacity, FieldKind::number, {0, 1}, out.surface.opacity);
     out.surface.alpha_test = s.alpha_test;
     out.surface.two_sided = s.two_sided;
 }
@@ -108,7 +108,11 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
             checker.error(Code::too_many, {{0, 1}, ""},
                           fmt::format("{} {}, expected at most {}", count, things, most));
     };
-    limit(material.bump.size(), kMaxStages, "entries of 'bump'");
+    if (material.bump.size() > kMaxStages) {
+        checker.error(
+            Code::too_many, material.bump[kMaxStages].at,
+            fmt::format("{} entries of 'bump', expected at most {}", material.bump.size(), kMaxStages));
+    }
     limit(checker.layer_count, kMaxLayers, "layers");
     limit(checker.out.textures.size(), kMaxTextures, "textures that are used");
     if (diags.error_count() > before) return std::nullopt;

@@ -62,7 +62,25 @@ ir::ParameterId Checker::find_parameter(const std::string& name, const At& at,
     return {static_cast<std::uint32_t>(found->second)};
 }
 
-void Checker::expression(const Expression& written, FieldKind kind, FieldValue& value) {
+void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range limits) {
+    auto outside = [&](double x) { return x < limits.minimum || x > limits.maximum; };
+    std::string found;
+    if (decl.range && (outside((*decl.range)[0]) || outside((*decl.range)[1]))) {
+        found = fmt::format("may be {} to {}", (*decl.range)[0], (*decl.range)[1]);
+    } else {
+        std::size_t count = ir::component_count(ir_type(decl.type));
+        auto bad = std::find_if(decl.fallback.begin(),
+                                decl.fallback.begin() + static_cast<std::ptrdiff_t>(count), outside);
+        if (bad == decl.fallback.begin() + static_cast<std::ptrdiff_t>(count)) return;
+        found = fmt::format("is {} by default", *bad);
+    }
+    error(Code::out_of_range, at,
+          fmt::format("parameter '{}' {}, expected {} to {} here", printable(decl.name.value), found,
+                      limits.minimum, limits.maximum),
+          {note("it is declared here", decl.name.at)});
+}
+
+void Checker::expression(const Expression& written, FieldKind kind, Range limits, FieldValue& value) {
     std::size_t node = written.node;
     switch (written.kind) {
         case Expression::Kind::numbers:
@@ -70,6 +88,9 @@ void Checker::expression(const Expression& written, FieldKind kind, FieldValue& 
             return;
         case Expression::Kind::parameter:
             value.parameter = find_parameter(written.name, written.at, types_for(kind));
+            if (value.parameter.valid() && !in.parameters[value.parameter.index].faulty) {
+                parameter_limits(in.parameters[value.parameter.index], written.at, limits);
+            }
             return;
         case Expression::Kind::node_name: {
             auto named = nodes_by_name.find(written.name);
@@ -111,7 +132,7 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
         value.index = entry.index;
         value.uv = entry.uv;
         if (row.kind != FieldKind::texture) {
-            expression(entry.expression, row.kind, value);
+            expression(entry.expression, row.kind, {row.minimum, row.maximum}, value);
             continue;
         }
         auto index = find_texture(entry.word, entry.at);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "material/checked.hpp"
+#include "material/object_reader.hpp"
 
 namespace sg::material {
 
@@ -36,7 +37,10 @@ struct Checker {
     std::optional<std::size_t> find_texture(const std::string& name, const At& at);
     ir::ParameterId find_parameter(const std::string& name, const At& at,
                                    std::span<const ParameterType> types);
-    void expression(const Expression& written, layers::FieldKind kind, layers::FieldValue& value);
+    void expression(const Expression& written, layers::FieldKind kind, Range limits,
+                    layers::FieldValue& value);
+    // What a parameter is by default, and may be by its range, must be fit for the use.
+    void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
     std::vector<layers::FieldValue> values(std::string_view owner, std::span<const layers::Field> fields,
                                            std::span<const FieldEntry> entries);
     template <class Kind>

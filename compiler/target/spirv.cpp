@@ -108,7 +108,11 @@ std::optional<Words> front_end(std::string_view text, std::string_view name, Sta
                                const ShaderLibrary& library, bool debug_info, std::string& fault) {
     start_glslang();
     glslang::TShader shader(language(stage));
+    // glslang writes the name between quotes into #line directives of its own.
     std::string file(name);
+    for (char& c : file) {
+        if (c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20u) c = '?';
+    }
     const char* strings[] = {text.data()};
     const int lengths[] = {static_cast<int>(text.size())};
     const char* names[] = {file.c_str()};

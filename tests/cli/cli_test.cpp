@@ -133,6 +133,18 @@ TEST_F(Cli, NothingIsOverwrittenThatWasNotAsked) {
         << out.text;
 }
 
+// A file's name stands in messages of the GLSL compiler, never in the program.
+TEST_F(Cli, NamesOfFilesAreNotCode) {
+    std::string name = "x\" \n#define inversesqrt(x) (x)\n#line 1 \"y";
+    fs::copy_file(root_ / "one/materials/normal_map.json", root_ / "one/materials" / (name + ".json"));
+    fs::path one = root_ / "one";
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o plain --entry normal").exit_code, 0);
+    Outcome out = run(one, "compile materials/x*.json -o odd --entry normal");
+    EXPECT_EQ(out.exit_code, 0) << out.text;
+    auto plain = contents(one / "plain"), odd = contents(one / "odd");
+    EXPECT_EQ(odd.at(name + ".normal.frag.spv").size(), plain.at("normal_map.normal.frag.spv").size());
+}
+
 TEST_F(Cli, ExitCodes) {
     fs::path one = root_ / "one";
     EXPECT_EQ(run(one, "").exit_code, 2);
@@ -146,6 +158,8 @@ TEST_F(Cli, ExitCodes) {
     EXPECT_EQ(run(one, "explain materials/normal_map.json").exit_code, 0);
     EXPECT_EQ(run(one, "explain none.json").exit_code, 1);
     EXPECT_EQ(run(one, "frobnicate").exit_code, 2);
+    EXPECT_EQ(run(one, "compile materials/normal_map.json -o out -O3").exit_code, 2);
+    EXPECT_FALSE(fs::exists(one / "out"));
     EXPECT_EQ(run(one, "--help").exit_code, 0);
     EXPECT_EQ(run(one, "compile --help").exit_code, 0);
     EXPECT_EQ(run(one, "--version").text, "surfgrad 0.1.0\n");

@@ -149,5 +149,30 @@ TEST(Contract, ShadersUseWhatTheManifestLists) {
     }
 }
 
+// An opacity without an alpha test shows in the lit picture alone: the other entries ask for nothing of it.
+TEST(Contract, EntriesAskForWhatTheyUse) {
+    MemoryFiles files;
+    files.contents["/m/mask.png"] = "hashed, not decoded";
+    Diags diags;
+    const std::string text =
+        R"({ "version": 1, "textures": { "m": { "file": "mask.png", "encoding": "mask" } },
+        "surface": { "opacity": { "texture": "m", "channel": "r", "uv": 1 } } })";
+    CompileRequest request{
+        .source = std::make_shared<Source>(Source{"m.json", text}), .stem = "m", .roots = {"/m"}};
+    auto out = compile_material(request, files, target::embedded_library(), diags);
+    ASSERT_TRUE(out) << render(diags);
+    const std::string& manifest = out->files.back().second;
+    auto section = [&](const std::string& entry) {
+        std::size_t begin = manifest.find("\"m." + entry + ".vert.spv\"");
+        return manifest.substr(begin, manifest.find("\"views\"", begin) - begin);
+    };
+    EXPECT_NE(section("forward").find("\"uv1\""), std::string::npos);
+    EXPECT_NE(section("forward").find("\"texture\""), std::string::npos);
+    EXPECT_EQ(section("normal").find("\"uv1\""), std::string::npos) << section("normal");
+    EXPECT_EQ(section("normal").find("\"texture\""), std::string::npos);
+    spirv_cross::Compiler vertex(words_of(*out, "m.normal.vert.spv"));
+    EXPECT_EQ(vertex.get_shader_resources().stage_outputs.size(), 1u);  // the normal alone
+}
+
 }  // namespace
 }  // namespace sg

@@ -78,6 +78,8 @@ TEST_F(Program, SameArgumentsSameBytes) {
 
 TEST_F(Program, SaysWhatIsWrongWithItsArguments) {
     expect("sample.json", 2, "error: nothing to write: give -o FILE or --dump-inputs FILE [SG2105]\n");
+    expect("sample.json -o a.exr --dump-inputs ./a.exr", 2,
+           "error: --dump-inputs: expected another file than -o, not './a.exr' [SG2105]\n");
     expect("-o a.png", 2, "error: no artefact and no material is given; see --help [SG2105]\n");
     expect("sample.json -o a.gif", 2,
            "error: --output: expected a file that ends in .png, .exr or .pfm, not 'a.gif' [SG2105]\n");
