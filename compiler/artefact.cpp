@@ -6,6 +6,7 @@
 
 #include "base/files.hpp"
 #include "base/ice.hpp"
+#include "function_manifest.hpp"
 
 namespace sg {
 namespace {
@@ -204,6 +205,9 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
     if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
     manifest["textures"] = textures_json(input);
     manifest["samplers"] = samplers_json(input);
+    if (input.function)
+        manifest["function"] =
+            Json::parse(function_json(*input.function, input.stem, *input.material, *input.interface, files));
     files.emplace_back(input.stem + ".json", manifest.dump(2) + "\n");
     return files;
 }

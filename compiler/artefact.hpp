@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emit/glsl.hpp"
+#include "function_entry.hpp"
 #include "material/checked.hpp"
 #include "target/cross.hpp"
 #include "target/spirv.hpp"
@@ -36,6 +37,7 @@ struct ArtefactInput {
     const emit::MaterialInterface* interface = nullptr;
     const std::vector<material::SamplerDecl>* samplers = nullptr;  // by group
     const std::vector<CompiledEntry>* entries = nullptr;
+    const CompiledFunction* function = nullptr;  // may be absent
     bool ships_spirv = true;
 };
 

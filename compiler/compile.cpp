@@ -7,6 +7,7 @@
 #include "artefact.hpp"
 #include "cross_entry.hpp"
 #include "emit/glsl.hpp"
+#include "function_entry.hpp"
 #include "opt/optimise.hpp"
 #include "stages.hpp"
 #include "target/usage.hpp"
@@ -56,9 +57,9 @@ std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const 
                          std::move(*texts)};
 }
 
-bool wanted(const CompileRequest& request, const emit::EntryPoint& entry) {
+bool wanted(const CompileRequest& request, std::string_view entry) {
     const auto& names = request.entries;
-    return names.empty() || std::find(names.begin(), names.end(), entry.name) != names.end();
+    return names.empty() || std::find(names.begin(), names.end(), entry) != names.end();
 }
 
 bool has_limits(const material::Budget& budget) {
@@ -86,7 +87,7 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     Compiled out{.ir = ir::print(lowered), .optimised_ir = ir::print(optimised)};
     std::vector<CompiledEntry> entries;
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
-        if (!wanted(request, entry)) continue;
+        if (!wanted(request, entry.name)) continue;
         std::optional<CompiledEntry> compiled =
             compile_entry(request, entry, optimised, interface, library, diags);
         if (!compiled) continue;
@@ -96,6 +97,13 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
         out.spirv_assembly.push_back({name + ".vert", target::disassemble(compiled->vertex)});
         out.spirv_assembly.push_back({name + ".frag", target::disassemble(compiled->fragment)});
         entries.push_back(std::move(*compiled));
+    }
+    std::optional<CompiledFunction> function;
+    if (wanted(request, emit::kFunctionEntry)) {
+        function = compile_function(optimised, interface, request.stem, request.targets, library, diags);
+        if (function)
+            out.glsl.push_back(
+                {std::string(emit::kFunctionEntry), function->function.comment + function->function.text});
     }
     if (has_limits(checked->budget) || has_limits(request.budget)) {
         auto forward = std::find_if(entries.begin(), entries.end(),
@@ -110,7 +118,8 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     if (diags.error_count() != before) return std::nullopt;
     std::string file = std::filesystem::path(request.source->name).filename().string();
     out.files = artefact_files({request.stem, file, content_hash(request.source->text), &*checked, &interface,
-                                &samplers.settings, &entries, ships(request, target::Language::spirv)});
+                                &samplers.settings, &entries, function ? &*function : nullptr,
+                                ships(request, target::Language::spirv)});
     return out;
 }
 

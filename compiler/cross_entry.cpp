@@ -2,45 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <map>
-
-#include "base/ice.hpp"
+#include "shader_source.hpp"
 
 namespace sg {
-namespace {
-
-// One shader as SPIR-V with names and whole functions, once per prelude that a target puts in front.
-class ShaderSource {
-public:
-    ShaderSource(const std::string& text, std::string name, target::Stage stage,
-                 const target::ShaderLibrary& library)
-        : text_(text), name_(std::move(name)), stage_(stage), library_(library) {}
-
-    const target::Words& words(const target::Target& target) {
-        auto [at, fresh] = compiled_.try_emplace(target.prelude);
-        if (fresh) {
-            std::string fault, text = target::with_prelude(text_, target);
-            auto words = target::compile_glsl(text, name_, stage_, library_,
-                                              {.optimise = target::Optimise::none}, fault);
-            if (!words)
-                SG_UNREACHABLE(fmt::format("GLSL for {} does not compile: {}\n{}", target.name, fault, text));
-            at->second = std::move(*words);
-        }
-        return at->second;
-    }
-    const target::Words& plain_words() { return words({}); }
-    [[nodiscard]] target::Stage stage() const { return stage_; }
-
-private:
-    const std::string& text_;
-    std::string name_;
-    target::Stage stage_;
-    const target::ShaderLibrary& library_;
-    std::map<std::string_view, target::Words> compiled_;
-};
-
-}  // namespace
-
 std::optional<std::vector<CrossFile>> cross_entry(const emit::Shaders& shaders, const std::string& name,
                                                   std::span<const target::Target* const> targets,
                                                   const emit::MaterialInterface& interface,

@@ -13,6 +13,7 @@
 #include "artefact.hpp"
 #include "base/ice.hpp"
 #include "compile.hpp"
+#include "emit/function.hpp"
 #include "emit/glsl.hpp"
 #include "explain.hpp"
 #include "kinds.hpp"
@@ -177,6 +178,7 @@ void add_input_options(CLI::App& command, Options& options) {
 void add_compile_options(CLI::App& command, Options& options) {
     std::vector<std::string> entries;
     for (const sg::emit::EntryPoint& entry : sg::emit::all_entry_points()) entries.emplace_back(entry.name);
+    entries.emplace_back(sg::emit::kFunctionEntry);
     command.add_option("-o", options.out_dir, "folder of the artefact")->required()->type_name("DIR");
     command.add_option("--entry", options.entries, "entry points to compile, all by default")
         ->delimiter(',')

@@ -67,11 +67,15 @@ void replace_all(std::string& text, std::string_view what, std::string_view with
 
 }  // namespace
 
-Body::Body(const ir::Module& module, const MaterialInterface& material)
-    : module_(module), material_(material) {
+Wording stage_wording(ir::Op op) {
+    return {ir::info(op).glsl, ir::info(op).include};
+}
+
+Body::Body(const ir::Module& module, const MaterialInterface& material, Wording (*wording)(ir::Op))
+    : module_(module), material_(material), wording_(wording) {
     count_uses();
     for (std::size_t i = 0; i < module_.values.size(); ++i) {
-        std::string_view include = ir::info(module_.values[i].op).include;
+        std::string_view include = wording_(module_.values[i].op).include;
         if (!include.empty()) includes_.insert(include);
         std::string text = expression(module_.values[i]);
         bool named = wants_name(i, text);
@@ -101,7 +105,7 @@ void Body::count_uses() {
         const Value& value = module_.values[i];
         std::uint32_t times = is_trivial(value) ? std::min(uses_[i], 2u) : 1;
         for (std::size_t k = 0; k < value.operands.size(); ++k) {
-            uses_[value.operands[k].index] += times * times_written(ir::info(value.op).glsl, k);
+            uses_[value.operands[k].index] += times * times_written(wording_(value.op).glsl, k);
         }
     }
 }
@@ -156,7 +160,7 @@ std::string Body::operand_of(const Value& parent, std::size_t index) const {
 }
 
 std::string Body::expression(const Value& value) const {
-    std::string text(ir::info(value.op).glsl);
+    std::string text(wording_(value.op).glsl);
     replace_all(text, "{a}", attribute(value));
     if (ir::info(value.op).attribute == Attribute::Texture) {
         const TextureSlot* slot = material_.texture(value.index);

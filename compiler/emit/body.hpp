@@ -12,9 +12,17 @@
 
 namespace sg::emit {
 
+// How an operation is written, and the file of the library that this needs, as in ops.def.
+struct Wording {
+    std::string_view glsl, include;
+};
+// The table's own: between the stages of a pipeline.
+Wording stage_wording(ir::Op op);
+
 class Body {
 public:
-    Body(const ir::Module& module, const MaterialInterface& material);
+    Body(const ir::Module& module, const MaterialInterface& material,
+         Wording (*wording)(ir::Op) = stage_wording);
 
     // The statements, each on its line, indented by four blanks.
     [[nodiscard]] const std::string& text() const { return text_; }
@@ -34,6 +42,7 @@ private:
 
     const ir::Module& module_;
     const MaterialInterface& material_;
+    Wording (*wording_)(ir::Op);
     Names names_;
     std::vector<std::uint32_t> uses_;
     std::vector<bool> layer_result_;

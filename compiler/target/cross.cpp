@@ -12,6 +12,7 @@
 #pragma GCC diagnostic pop
 
 #include "base/ice.hpp"
+#include "target/function_text.hpp"
 
 namespace sg::target {
 namespace {
@@ -151,7 +152,7 @@ CrossText to_msl(const Words& words, Stage stage, const Target& target,
 
 // ---- GLSL and ESSL ----
 
-class GlslWriter final : public spirv_cross::CompilerGLSL {
+class GlslWriter : public spirv_cross::CompilerGLSL {
 public:
     using CompilerGLSL::CompilerGLSL;
 
@@ -203,6 +204,14 @@ void join_samplers(GlslWriter& compiler, std::vector<Slot>& slots) {
     sort_slots(slots);
 }
 
+spirv_cross::CompilerGLSL::Options glsl_options(const GlslWriter& compiler, const Target& target) {
+    auto options = compiler.get_common_options();
+    options.version = target.version;
+    options.es = target.language == Language::essl;
+    options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
+    return options;
+}
+
 CrossText to_glsl(const Words& words, Stage stage, const Target& target,
                   const emit::MaterialInterface& material) {
     GlslWriter compiler(words);
@@ -213,15 +222,73 @@ CrossText to_glsl(const Words& words, Stage stage, const Target& target,
     }
     join_samplers(compiler, out.slots);
     name_varyings(compiler, stage);
-    auto options = compiler.get_common_options();
-    options.version = target.version;
-    options.es = target.language == Language::essl;
-    options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
-    compiler.set_common_options(options);
+    compiler.set_common_options(glsl_options(compiler, target));
     convert_clip_space(compiler, target.language);
     out.attributes = attributes_of(compiler, stage, target.language);
     out.text = compiler.compile();
     return out;
+}
+
+// ---- one function alone ----
+
+// The names of what a text declares, told apart from those of every other text.
+template <class Base>
+class FunctionWriter final : public Base {
+public:
+    using Base::Base;
+
+    void set_apart(std::string_view suffix, std::span<const std::string_view> shared) {
+        auto rename = [&](std::uint32_t id) {
+            std::string name = this->get_name(id);
+            name.resize(std::min(name.size(), name.find('(')));  // functions are called "sg_reject(vf3;vf3;"
+            bool stays = name.empty() || name == "main" || name.ends_with(suffix) ||
+                         std::find(shared.begin(), shared.end(), name) != shared.end();
+            if (!stays) this->set_name(id, name + std::string(suffix));
+        };
+        using namespace spirv_cross;
+        this->ir.template for_each_typed_id<SPIRFunction>(
+            [&](std::uint32_t id, SPIRFunction&) { rename(id); });
+        this->ir.template for_each_typed_id<SPIRType>([&](std::uint32_t id, SPIRType& type) {
+            if (type.basetype == SPIRType::Struct) rename(id);
+        });
+        // Tables and structs that never change become constants of the text.
+        int constants = 0;
+        this->ir.template for_each_typed_id<SPIRConstant>([&](std::uint32_t id, SPIRConstant& constant) {
+            const SPIRType& type = this->get_type(constant.constant_type);
+            if (!type.array.empty() || type.basetype == SPIRType::Struct)
+                this->set_name(id, fmt::format("sg_constant{}{}", constants++, suffix));
+        });
+    }
+};
+
+std::string function_in_hlsl(const Words& words, const Target& target, std::string_view suffix,
+                             std::span<const std::string_view> shared) {
+    FunctionWriter<spirv_cross::CompilerHLSL> compiler(words);
+    compiler.set_apart(suffix, shared);
+    auto options = compiler.get_hlsl_options();
+    options.shader_model = target.version;
+    compiler.set_hlsl_options(options);
+    return compiler.compile();
+}
+
+std::string function_in_msl(const Words& words, const Target& target, std::string_view suffix,
+                            std::span<const std::string_view> shared) {
+    FunctionWriter<spirv_cross::CompilerMSL> compiler(words);
+    compiler.set_apart(suffix, shared);
+    auto options = compiler.get_msl_options();
+    options.msl_version = target.version;
+    compiler.set_msl_options(options);
+    return compiler.compile();
+}
+
+std::string function_in_glsl(const Words& words, const Target& target, std::string_view suffix,
+                             std::span<const std::string_view> shared) {
+    FunctionWriter<GlslWriter> compiler(words);
+    compiler.set_apart(suffix, shared);
+    compiler.build_combined_image_samplers();
+    compiler.name_joined_parameters();
+    compiler.set_common_options(glsl_options(compiler, target));
+    return compiler.compile();
 }
 
 // ---- what a target cannot express ----
@@ -258,9 +325,34 @@ std::string missing_feature(std::span<const std::uint32_t> words, const Target& 
     return "";
 }
 
+namespace {
+
+// `write(words, target, ...)` with the cross-compiler's exceptions turned into a bug of ours: what it cannot
+// do is found by missing_feature.
+template <class Write>
+auto write_or_end(const Target& target, Write write) {
+    try {
+        return write();
+    } catch (const spirv_cross::CompilerError& error) {
+        SG_UNREACHABLE(fmt::format("{} cannot be written: {}", target.name, error.what()));
+    }
+}
+
+}  // namespace
+
+std::string cross_compile_function(const Words& words, const Target& target, std::string_view suffix,
+                                   std::span<const std::string_view> shared) {
+    std::string text = write_or_end(target, [&] {
+        if (target.language == Language::hlsl) return function_in_hlsl(words, target, suffix, shared);
+        if (target.language == Language::msl) return function_in_msl(words, target, suffix, shared);
+        return function_in_glsl(words, target, suffix, shared);
+    });
+    return declarations_for_inclusion(text, suffix);
+}
+
 CrossText cross_compile(const Words& words, Stage stage, const Target& target,
                         const emit::MaterialInterface& material) {
-    try {
+    return write_or_end(target, [&] {
         switch (target.language) {
             case Language::hlsl:
                 return to_hlsl(words, stage, target, material);
@@ -272,10 +364,8 @@ CrossText cross_compile(const Words& words, Stage stage, const Target& target,
             case Language::spirv:
                 break;
         }
-    } catch (const spirv_cross::CompilerError& error) {
-        SG_UNREACHABLE(fmt::format("{} cannot be written: {}", target.name, error.what()));
-    }
-    SG_UNREACHABLE("a target that is no text");
+        SG_UNREACHABLE("a target that is no text");
+    });
 }
 
 }  // namespace sg::target

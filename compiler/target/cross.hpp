@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "emit/interface.hpp"
@@ -38,6 +40,12 @@ struct CrossText {
 // slots are those of the material, alike for all stages and entry points. Every target but spirv.
 CrossText cross_compile(const Words& words, Stage stage, const Target& target,
                         const emit::MaterialInterface& material);
+
+// A shader that does nothing but call one function: that function and what it needs, to be included in an
+// engine's shader. Whatever is not in `shared` gets `suffix` behind its name, so that no two such texts
+// collide. `words` as above. Every target but spirv.
+std::string cross_compile_function(const Words& words, const Target& target, std::string_view suffix,
+                                   std::span<const std::string_view> shared);
 
 // "" or what the shader does that the target cannot express, as in "reads the level of detail of a texture".
 // `words` are those of the source without the target's prelude.

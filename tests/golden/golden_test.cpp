@@ -43,9 +43,10 @@ Compiled compile(const fs::path& path, target::Optimise optimise = target::Optim
     return out ? std::move(*out) : Compiled{};
 }
 
-// The shaders' hashes follow the versions of glslang and SPIRV-Tools; what they hash is golden as GLSL.
+// The shaders' hashes follow the versions of glslang and SPIRV-Tools, the function's every word of the
+// library; what they hash is golden as GLSL.
 std::string without_shader_hashes(const std::string& manifest) {
-    static const std::regex kHash("(\\.spv\",\\s*\"hash\": )\"xxh3:[0-9a-f]{32}\"");
+    static const std::regex kHash("((\\.spv|\\.function\\.[^\"]*)\",\\s*\"hash\": )\"xxh3:[0-9a-f]{32}\"");
     return std::regex_replace(manifest, kHash, "$1\"...\"");
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/diag.hpp"
+#include "emit/function.hpp"
 #include "emit/glsl.hpp"
 #include "ir/ir.hpp"
 #include "kinds.hpp"
@@ -44,6 +45,17 @@ TEST(Readme, EveryRuleAndEntryPointIsListed) {
     std::string artefacts = document("compiler/artefacts.md");
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
         EXPECT_NE(artefacts.find("| `" + std::string(entry.name) + "` |"), std::string::npos) << entry.name;
+    }
+}
+
+TEST(Readme, EveryFieldOfTheFunctionIsListed) {
+    std::string text = document("compiler/function.md");
+    for (const auto& fields : {emit::function_inputs(), emit::function_results()}) {
+        for (const emit::FunctionField& field : fields) {
+            std::string row =
+                "| `" + field.name + "` | `" + std::string(field.type) + "` | " + field.meaning + " |";
+            EXPECT_NE(text.find(row), std::string::npos) << "missing line:\n" << row;
+        }
     }
 }
 

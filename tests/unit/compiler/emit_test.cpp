@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "emit/body.hpp"
+#include "emit/function.hpp"
 #include "emit/glsl.hpp"
 #include "emit/names.hpp"
 #include "ir/text.hpp"
@@ -107,6 +111,37 @@ TEST(Interface, TexturesThatSampleAlikeShareASampler) {
 TEST(EntryPoints, AreFoundByName) {
     EXPECT_EQ(find_entry_point("normal")->name, "normal");
     EXPECT_EQ(find_entry_point("none"), nullptr);
+}
+
+// What the stages give must come through the function's arguments.
+TEST(Function, HasAWordingForAllThatTheStagesGive) {
+    for (const ir::OpInfo& op : ir::all_ops()) {
+        const auto rows = function_wordings();
+        auto row =
+            std::find_if(rows.begin(), rows.end(), [&](const FunctionWording& w) { return w.op == op.op; });
+        bool of_stage = is_varying(op.op) || op.include.starts_with("stage/") ||
+                        op.glsl.find("sg_in_") != op.glsl.npos || op.glsl.find("_block") != op.glsl.npos;
+        EXPECT_EQ(row != rows.end(), of_stage) << op.name << ": compiler/emit/function.cpp, kWordings";
+        if (row == rows.end()) continue;
+        EXPECT_FALSE(row->include.starts_with("stage/")) << op.name;
+    }
+}
+
+TEST(Function, ReadsOnlyFieldsThatExist) {
+    for (const FunctionWording& row : function_wordings()) {
+        const std::string glsl(row.glsl), mark = "sg_inputs.";
+        for (std::size_t at = glsl.find(mark); at != glsl.npos; at = glsl.find(mark, at + 1)) {
+            std::string name;
+            for (std::size_t i = at + mark.size();
+                 i < glsl.size() && (std::isalnum(glsl[i]) || glsl[i] == '_'); ++i)
+                name += glsl[i];
+            if (name == "uv") continue;  // the set follows
+            const auto fields = function_inputs();
+            EXPECT_TRUE(std::any_of(fields.begin(), fields.end(), [&](const auto& f) {
+                return f.name == name;
+            })) << name;
+        }
+    }
 }
 
 }  // namespace

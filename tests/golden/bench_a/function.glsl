@@ -1,0 +1,93 @@
+// one map, all parameters: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
+// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+//   normal             interpolated vertex normal, world axes, any length
+//   tangent            interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+//   facing             +1 on front faces, -1 on back faces
+//   uv0                texture coordinate 0, t downward
+//   uv0_dx             its change per pixel to the right
+//   uv0_dy             its change per pixel downward
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+#ifndef SG_MATERIAL_TYPES
+#define SG_MATERIAL_TYPES
+
+struct SgMaterialInputs {
+    vec3 position;                  // relative world space (origin at the camera), world units
+    vec3 position_dx;               // its change per pixel to the right
+    vec3 position_dy;               // its change per pixel downward
+    vec3 normal;                    // interpolated vertex normal, world axes, any length
+    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;                     // interpolated vertex colour, linear
+    float facing;                   // +1 on front faces, -1 on back faces
+    float time;                     // seconds
+    vec3 object_position;           // object space, object units
+    vec3 object_position_dx;        // its change per pixel to the right
+    vec3 object_position_dy;        // its change per pixel downward
+    vec3 world_position;            // absolute world space, world units
+    vec3 world_position_dx;         // its change per pixel to the right
+    vec3 world_position_dy;         // its change per pixel downward
+    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
+    vec2 uv0;                       // texture coordinate 0, t downward
+    vec2 uv0_dx;                    // its change per pixel to the right
+    vec2 uv0_dy;                    // its change per pixel downward
+    vec2 uv1;                       // texture coordinate 1, t downward
+    vec2 uv1_dx;                    // its change per pixel to the right
+    vec2 uv1_dy;                    // its change per pixel downward
+    vec2 uv2;                       // texture coordinate 2, t downward
+    vec2 uv2_dx;                    // its change per pixel to the right
+    vec2 uv2_dy;                    // its change per pixel downward
+    vec2 uv3;                       // texture coordinate 3, t downward
+    vec2 uv3_dx;                    // its change per pixel to the right
+    vec2 uv3_dy;                    // its change per pixel downward
+    vec2 uv4;                       // texture coordinate 4, t downward
+    vec2 uv4_dx;                    // its change per pixel to the right
+    vec2 uv4_dy;                    // its change per pixel downward
+    vec2 uv5;                       // texture coordinate 5, t downward
+    vec2 uv5_dx;                    // its change per pixel to the right
+    vec2 uv5_dy;                    // its change per pixel downward
+    vec2 uv6;                       // texture coordinate 6, t downward
+    vec2 uv6_dx;                    // its change per pixel to the right
+    vec2 uv6_dy;                    // its change per pixel downward
+    vec2 uv7;                       // texture coordinate 7, t downward
+    vec2 uv7_dx;                    // its change per pixel to the right
+    vec2 uv7_dy;                    // its change per pixel downward
+};
+
+struct SgMaterialResult {
+    vec3 normal;                    // resolved unit normal, world axes
+    vec3 base_color;                // linear
+    float metallic;                 // 0 to 1
+    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;                // 1: open
+    vec3 emission;                  // linear radiance
+    float opacity;                  // 0 to 1
+    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+};
+
+#endif
+
+struct SgMaterialParameters_bench_a {
+    vec3 p_tint;
+    vec2 p_tiling;
+    float p_strength;
+    float p_roughness;
+    float p_metallic;
+};
+
+SgMaterialResult sg_material_bench_a(SgMaterialInputs sg_inputs, SgMaterialParameters_bench_a sg_material, texture2D t_weave, texture2D t_stone, sampler s_0) {
+    SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
+
+    // weave: normal_map
+    SgBasis m_weave_basis = sg_basis_mirror(sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent), sg_material.p_tiling);
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 128.0);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), m_weave_basis);
+
+    return SgMaterialResult(sg_resolve(sg_mirror_normal(sg_base_normal(sg_inputs.normal), sg_inputs.facing), m_weave), sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), 1.0, 0.0);
+}
