@@ -16,6 +16,7 @@
 #include "emit/function.hpp"
 #include "emit/glsl.hpp"
 #include "explain.hpp"
+#include "import/gltf_import.hpp"
 #include "kinds.hpp"
 #include "outputs.hpp"
 #include "schema.hpp"
@@ -150,6 +151,21 @@ int run_task(const Options& options, Task task) {
     return diags.exit_code();
 }
 
+int run_import(const Options& options) {
+    sg::RealFiles files;
+    sg::Diags diags;
+    sg::Outputs outputs(files);
+    for (const std::string& file : options.files) outputs.add_input(file);
+    for (const std::string& file : options.files) {
+        std::optional<sg::import::ImportedFiles> imported = sg::import::import_gltf(files, file, diags);
+        if (!imported) continue;
+        for (auto& [name, bytes] : *imported) name = fs::path(options.out_dir) / name;
+        if (outputs.claim(file, *imported, diags)) sg::write_or_report(files, *imported, diags);
+    }
+    print_diags(diags, options);
+    return diags.exit_code();
+}
+
 int print(const std::string& text) {
     fmt::print("{}", text);
     return 0;
@@ -162,17 +178,21 @@ int run_codes() {
     return 0;
 }
 
-void add_input_options(CLI::App& command, Options& options) {
-    command.add_option("FILE", options.files, "material files; - reads standard input")->required();
-    command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")
-        ->type_name("DIR");
-    command.add_option("--name", options.name, "name of standard input in messages and of its files");
+void add_message_options(CLI::App& command, Options& options) {
     command.add_option("--diagnostics", options.diagnostics, "form of messages")
         ->check(CLI::IsMember({"human", "json"}))
         ->capture_default_str();
     command.add_option("--color", options.color, "colour in messages")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->capture_default_str();
+}
+
+void add_input_options(CLI::App& command, Options& options) {
+    command.add_option("FILE", options.files, "material files; - reads standard input")->required();
+    command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")
+        ->type_name("DIR");
+    command.add_option("--name", options.name, "name of standard input in messages and of its files");
+    add_message_options(command, options);
 }
 
 void add_compile_options(CLI::App& command, Options& options) {
@@ -232,6 +252,11 @@ int run(int argc, char** argv) {
     CLI::App* explain =
         app.add_subcommand("explain", "tell what the optimiser did and what each layer costs");
     add_input_options(*explain, options);
+    CLI::App* import =
+        app.add_subcommand("import", "write a material for each material of glTF files, with its textures");
+    import->add_option("FILE", options.files, ".gltf or .glb files")->required();
+    import->add_option("-o", options.out_dir, "folder of the materials")->required()->type_name("DIR");
+    add_message_options(*import, options);
     CLI::App* kinds = app.add_subcommand("kinds", "list the layer and node kinds and their fields");
     CLI::App* schema =
         app.add_subcommand("schema", "print the JSON Schema (draft-07) of materials, for editors");
@@ -244,6 +269,7 @@ int run(int argc, char** argv) {
     if (compile->parsed()) return run_task(options, Task::compile);
     if (explain->parsed()) return run_task(options, Task::explain);
     if (check->parsed()) return run_task(options, Task::check);
+    if (import->parsed()) return run_import(options);
     if (kinds->parsed()) return print(sg::kinds_text());
     return schema->parsed() ? print(sg::schema_text()) : run_codes();
 }

@@ -114,6 +114,8 @@ void add_options(CLI::App& app, Arguments& out, Texts& texts) {
     app.add_option("--mesh", out.mesh,
                    "a built-in shape (plane, sphere, torus, cube) or a .gltf or .glb file")
         ->capture_default_str();
+    app.add_option("--mesh-material", out.mesh_material,
+                   "draw only what has this material in the .gltf or .glb file");
     app.add_option("--view", out.view, "lit, normal, or a debug view of the material")->capture_default_str();
     app.add_option("--size", texts.size, "WIDTHxHEIGHT in pixels, or one number for both")
         ->capture_default_str();

@@ -17,6 +17,7 @@ struct Arguments {
     std::filesystem::path output;
     std::filesystem::path dump_inputs;
     std::string mesh = "sphere";
+    std::string mesh_material;  // "": all of the scene
     std::string view = "lit";
     std::uint32_t width = 512, height = 512;
     std::uint32_t supersample = 1;

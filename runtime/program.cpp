@@ -70,7 +70,7 @@ std::optional<Job> prepare(const Arguments& arguments, const std::filesystem::pa
     choose_views(arguments, job, diags);
     auto parameters = pack_parameters(job.artefact, arguments.parameters, diags);
     auto textures = load_textures(files, job.artefact, texture_root, diags);
-    auto content = load_content(files, arguments.mesh, diags);
+    auto content = load_content(files, arguments.mesh, arguments.mesh_material, diags);
     if (diags.has_errors()) return std::nullopt;
     job.textures = std::move(*textures);
     job.scene.content = std::move(*content);

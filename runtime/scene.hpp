@@ -24,8 +24,10 @@ struct Scene {
     Light light;
 };
 
-// A built-in shape by its name, or the scene of a .gltf or .glb file. Fails with bad_argument (neither a
-// shape nor a file, with the nearest shape), or with what read_gltf reports.
-std::optional<asset::Scene> load_content(Files& files, std::string_view shape_or_file, Diags& diags);
+// A built-in shape by its name, or the scene of a .gltf or .glb file; where `material` is not "", only the
+// parts of the scene that have the glTF material of that name. Fails with bad_argument (neither a shape nor a
+// file, with the nearest shape; no such material), or with what read_gltf reports.
+std::optional<asset::Scene> load_content(Files& files, std::string_view shape_or_file,
+                                         std::string_view material, Diags& diags);
 
 }  // namespace sg::runtime

@@ -18,6 +18,7 @@ namespace sg::asset {
 // vertex.
 struct Mesh {
     std::string name;
+    std::string material;              // name of the glTF material, "" without one
     std::vector<glm::vec3> positions;  // object space
     std::vector<glm::vec3> normals;    // unit
     std::vector<glm::vec4> tangents;   // xyz unit; w +1 or -1: bitangent = w * cross(N, T) points to +t

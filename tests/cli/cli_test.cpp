@@ -145,6 +145,21 @@ TEST_F(Cli, NamesOfFilesAreNotCode) {
     EXPECT_EQ(odd.at(name + ".normal.frag.spv").size(), plain.at("normal_map.normal.frag.spv").size());
 }
 
+TEST_F(Cli, ImportsGltf) {
+    write("one/lamp.gltf",
+          R"({"asset":{"version":"2.0"},"materials":[{"name":"lamp","emissiveFactor":[1,1,0]}]})");
+    EXPECT_EQ(run(root_ / "one", "import lamp.gltf -o made").exit_code, 0);
+    EXPECT_EQ(run(root_ / "one", "compile made/lamp.json -o out --entry forward").exit_code, 0);
+    // The file's own folder is refused where a material would take the place of the input.
+    write("one/lamp.json", R"({"asset":{"version":"2.0"},"materials":[{"name":"lamp"}]})");
+    Outcome clash = run(root_ / "one", "import lamp.json -o . --color never");
+    EXPECT_EQ(clash.exit_code, 1);
+    EXPECT_EQ(
+        clash.text,
+        "error: 'lamp.json' would write './lamp.json', which is an input; choose another folder with -o "
+        "[SG1305]\n");
+}
+
 TEST_F(Cli, ExitCodes) {
     fs::path one = root_ / "one";
     EXPECT_EQ(run(one, "").exit_code, 2);

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "asset/image.hpp"
@@ -99,6 +100,20 @@ TEST_F(Program, SaysWhatIsWrongWithItsArguments) {
            "error: parameter 'gain' is a float: expected 1 number separated by commas, not 'x' [SG2105]\n");
     expect("sample.json -o a.png --param gain=9", 2,
            "error: parameter 'gain' must be from 0 to 4, not 9 [SG2105]\n");
+    expect("sample.json -o a.png --mesh-material steel", 2,
+           "error: --mesh-material: the shape 'sphere' has no materials, expected a --mesh FILE.gltf or "
+           "FILE.glb "
+           "[SG2105]\n");
+    std::ofstream(folder_ / "a.gltf")
+        << R"({"asset":{"version":"2.0"},"materials":[{"name":"steel"}],"accessors":[{"componentType":5126,)"
+           R"("type":"VEC3","count":3,"bufferView":0}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":)"
+           R"([{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+           R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],"meshes":[{"primitives":[{"material":0,)"
+           R"("attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]})";
+    expect(
+        "sample.json -o a.png --mesh a.gltf --mesh-material steal", 2,
+        "error: --mesh-material: 'a.gltf' has no material 'steal', expected 'steel', did you mean 'steel'? "
+        "[SG2105]\n");
     EXPECT_EQ(run("--no-such-option").exit_code, 2);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
 }
