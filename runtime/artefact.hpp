@@ -75,6 +75,7 @@ struct TextureSlot {
     Encoding encoding = Encoding::plain;
     double zero = 127.5;
     bool srgb = false;
+    std::uint32_t sampler_binding = 0;  // in set 1: the sampler that it is read with
 };
 
 struct SamplerSlot {

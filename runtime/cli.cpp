@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/output.hpp"
@@ -14,11 +16,12 @@ namespace {
 constexpr int kCommandLineWrong = 2;
 constexpr std::uint32_t kMaxSide = 16384;
 constexpr std::uint32_t kMaxSupersample = 8;
+constexpr std::uint32_t kMaxDetail = 16;
 constexpr double kMaxPixels = 1u << 26u;  // drawn, so with --supersample: about 4 GB in all
 
 // The options that are texts with an inner form.
 struct Texts {
-    std::string size, camera, light;
+    std::string size, camera, light, max_angle;
 };
 
 void bad(Diags& diags, std::string_view option, std::string_view expected, std::string_view text) {
@@ -80,6 +83,38 @@ void parse_light(const std::string& text, Arguments& out, Diags& diags) {
     if (!out.light || glm::length(*out.light) == 0) bad(diags, "--light", "X,Y,Z, not all 0", text);
 }
 
+void parse_limit(const std::string& text, Arguments& out, Diags& diags) {
+    static constexpr std::array<std::string_view, 4> kWords = {"median", "p95", "p99", "max"};
+    const std::size_t colon = text.find(':');
+    const auto number = parse_numbers(std::string_view(text).substr(0, colon));
+    const std::string word = colon == std::string::npos ? "max" : text.substr(colon + 1);
+    const auto which = std::find(kWords.begin(), kWords.end(), word);
+    if (!number || number->size() != 1 || (*number)[0] < 0 || which == kWords.end())
+        return bad(diags, "--max-angle", "DEGREES or DEGREES:median, :p95, :p99 or :max", text);
+    out.max_angle = {(*number)[0], static_cast<AngleLimit::Which>(which - kWords.begin())};
+}
+
+// What goes with --view error and --compare alone.
+void check_angles(const Texts& texts, Arguments& out, Diags& diags) {
+    const bool measures = out.measures();
+    if (!texts.max_angle.empty()) parse_limit(texts.max_angle, out, diags);
+    if (out.error_scale && !(*out.error_scale > 0 && *out.error_scale <= 180))
+        bad(diags, "--error-scale", "more than 0 and at most 180 degrees",
+            fmt::format("{}", *out.error_scale));
+    if (!measures && (out.max_angle || out.error_scale))
+        diags.error(Code::bad_argument,
+                    "--max-angle and --error-scale: expected --view error or --compare beside them");
+    if (out.view != "error" && !out.height_of.empty())
+        diags.error(Code::bad_argument, "--height-of: expected --view error beside it");
+    if (measures && !out.dump_inputs.empty())
+        diags.error(Code::bad_argument,
+                    "--dump-inputs: expected neither --view error nor --compare beside it");
+    if (out.view == "error" && !out.compare.empty())
+        diags.error(Code::bad_argument, "--compare: expected another view than error beside it");
+    if (measures && out.supersample > 1)
+        diags.error(Code::bad_argument, "--supersample: expected 1 where angles are measured");
+}
+
 void check(const Texts& texts, Arguments& out, Diags& diags) {
     parse_size(texts.size, out, diags);
     if (!texts.camera.empty()) parse_camera(texts.camera, out, diags);
@@ -91,9 +126,10 @@ void check(const Texts& texts, Arguments& out, Diags& diags) {
         bad(diags, "--time and --exposure", "finite numbers", "nan or inf");
     }
     if (out.list_devices) return;
+    check_angles(texts, out, diags);
     if (out.input.empty())
         diags.error(Code::bad_argument, "no artefact and no material is given; see --help");
-    if (out.output.empty() && out.dump_inputs.empty()) {
+    if (out.output.empty() && out.dump_inputs.empty() && !out.measures()) {
         diags.error(Code::bad_argument, "nothing to write: give -o FILE or --dump-inputs FILE");
     }
     if (!out.output.empty() && out.output.lexically_normal() == out.dump_inputs.lexically_normal()) {
@@ -111,12 +147,28 @@ void add_options(CLI::App& app, Arguments& out, Texts& texts) {
     app.add_option("input", out.input, "an artefact's manifest, or a material, which is then compiled first");
     app.add_option("-o,--output", out.output,
                    "the picture: .png (for the eye), .exr or .pfm (raw 32-bit floats)");
-    app.add_option("--mesh", out.mesh,
-                   "a built-in shape (plane, sphere, torus, cube) or a .gltf or .glb file")
+    app.add_option(
+           "--mesh", out.mesh,
+           "a built-in shape (plane, sphere, torus, cube, rounded_cube, rock) or a .gltf or .glb file")
         ->capture_default_str();
     app.add_option("--mesh-material", out.mesh_material,
                    "draw only what has this material in the .gltf or .glb file");
-    app.add_option("--view", out.view, "lit, normal, or a debug view of the material")->capture_default_str();
+    app.add_option("--detail", out.detail, "triangles of a built-in shape are so many times smaller per side")
+        ->check(CLI::Range(1u, kMaxDetail))
+        ->capture_default_str();
+    app.add_option("--view", out.view,
+                   "lit, normal, a debug view of the material, or error: the angle to the normal of the "
+                   "surface that is really displaced")
+        ->capture_default_str();
+    app.add_option("--compare", out.compare,
+                   "the angle to the normals of another material, artefact or picture (.exr, .pfm)");
+    app.add_option("--max-angle", texts.max_angle,
+                   "DEGREES[:median|p95|p99|max]: fail above it (with --view error or --compare)");
+    app.add_option("--error-scale", out.error_scale, "degrees at the bright end of the map of angles");
+    app.add_option("--height-of", out.height_of,
+                   "TEXTURE=FILE[:LENGTH]: the height map that a map of slopes was baked from, and the world "
+                   "length of its value 1 (repeatable; with --view error)")
+        ->allow_extra_args(false);
     app.add_option("--size", texts.size, "WIDTHxHEIGHT in pixels, or one number for both")
         ->capture_default_str();
     app.add_option("--camera", texts.camera,

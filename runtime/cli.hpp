@@ -12,6 +12,13 @@
 
 namespace sg::runtime {
 
+// What an angle may be at most, degrees, and which of the numbers is held to it.
+struct AngleLimit {
+    enum class Which { median, p95, p99, max };
+    double degrees = 0;
+    Which which = Which::max;
+};
+
 struct Arguments {
     std::filesystem::path input;  // a manifest or a material
     std::filesystem::path output;
@@ -25,12 +32,20 @@ struct Arguments {
     std::optional<double> ortho_height;   // world units
     std::optional<glm::dvec3> light;      // towards the light
     std::vector<std::string> parameters;  // NAME=VALUE
-    double time = 0;                      // seconds
-    double exposure = 0;                  // stops
+    std::uint32_t detail = 1;             // of a built-in shape: times as fine
+    std::filesystem::path compare;        // what to compare the normals with
+    std::vector<std::string> height_of;   // TEXTURE=FILE[:LENGTH], of the error view
+    std::optional<AngleLimit> max_angle;
+    std::optional<double> error_scale;  // degrees
+    double time = 0;                    // seconds
+    double exposure = 0;                // stops
     std::string device;
     std::optional<std::filesystem::path> texture_root;
     bool validate = false;
     bool list_devices = false;
+
+    // Whether angles are what is wanted.
+    [[nodiscard]] bool measures() const { return view == "error" || !compare.empty(); }
 };
 
 // Either arguments, or the exit code to leave with (after --help and --version 0, after a wrong command line

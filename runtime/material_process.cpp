@@ -5,10 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 namespace sg::runtime {
 
@@ -35,12 +35,14 @@ std::filesystem::path compiler_beside_us() {
 
 std::optional<int> compile_material(const std::filesystem::path& compiler,
                                     const std::filesystem::path& material,
-                                    const std::filesystem::path& folder, Diags& diags) {
+                                    const std::filesystem::path& folder, Diags& diags, bool with_module) {
     // A name that starts with a dash must not be read as an option.
     std::string file = material.string().starts_with('-') ? "./" + material.string() : material.string();
-    std::array<std::string, 5> words = {compiler.string(), "compile", file, "-o", folder.string()};
-    std::array<char*, 6> arguments{};
-    for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+    std::vector<std::string> words = {compiler.string(), "compile", file, "-o", folder.string()};
+    if (with_module) words.insert(words.end(), {"--emit", "ir"});
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     pid_t child = 0;
     int failure = posix_spawn(&child, words[0].c_str(), nullptr, nullptr, arguments.data(), environ);
     if (failure != 0) {

@@ -30,8 +30,8 @@ bool keep_material(asset::Scene& scene, std::string_view file, std::string_view 
 }  // namespace
 
 std::optional<asset::Scene> load_content(Files& files, std::string_view shape_or_file,
-                                         std::string_view material, Diags& diags) {
-    if (auto shape = make_shape(shape_or_file)) {
+                                         std::string_view material, Diags& diags, int detail) {
+    if (auto shape = make_shape(shape_or_file, detail)) {
         if (!material.empty()) {
             diags.error(Code::bad_argument,
                         fmt::format("--mesh-material: the shape '{}' has no materials, expected a --mesh "

@@ -24,10 +24,11 @@ struct Scene {
     Light light;
 };
 
-// A built-in shape by its name, or the scene of a .gltf or .glb file; where `material` is not "", only the
-// parts of the scene that have the glTF material of that name. Fails with bad_argument (neither a shape nor a
-// file, with the nearest shape; no such material), or with what read_gltf reports.
+// A built-in shape by its name (`detail` times as fine as usual), or the scene of a .gltf or .glb file; where
+// `material` is not "", only the parts of the scene that have the glTF material of that name. Fails with
+// bad_argument (neither a shape nor a file, with the nearest shape; no such material), or with what read_gltf
+// reports.
 std::optional<asset::Scene> load_content(Files& files, std::string_view shape_or_file,
-                                         std::string_view material, Diags& diags);
+                                         std::string_view material, Diags& diags, int detail = 1);
 
 }  // namespace sg::runtime

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "runtime/mesh/smooth.hpp"
+
 namespace sg::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"plane", "sphere", "torus", "cube"};
+constexpr std::array<std::string_view, 6> kNames{"plane", "sphere", "torus", "cube", "rounded_cube", "rock"};
 constexpr double kTau = glm::two_pi<double>();
 
 // A point of a chart with its exact frame.
@@ -81,6 +83,31 @@ Point torus_point(glm::dvec2 st, double R, double r) {
     return {glm::dvec3(R * around.x, 0.0, R * around.y) + r * normal, normal, {around.y, 0.0, -around.x}};
 }
 
+// On the sphere's chart; the tangent follows from dP/ds = R dd/ds + d (gradient . dd/ds).
+Point rock_point(glm::dvec2 st) {
+    const Point unit = sphere_point(st);
+    const RockRadius r = rock_radius(unit.position);
+    const Foot foot = foot_of(SmoothShape::rock, unit.position);
+    const glm::dvec3 along = r.value * unit.along_s + unit.position * glm::dot(r.gradient, unit.along_s);
+    return {foot.position, foot.normal, glm::normalize(along)};
+}
+
+// A sphere's grid of quads, with a ring of triangles at each pole.
+template <class Chart>
+void add_globe(asset::Mesh& mesh, int slices, int stacks, bool mirror_u, Chart chart) {
+    slices = std::max(slices, 3);
+    stacks = std::max(stacks, 2);
+    add_grid(mesh, slices, stacks, 1, stacks - 1, mirror_u, chart);
+    const auto last_row = static_cast<std::uint32_t>((stacks - 2) * (slices + 1));
+    for (int slice = 0; slice < slices; ++slice) {
+        const auto column = static_cast<std::uint32_t>(slice);
+        const glm::dvec2 north((slice + 0.5) / slices, 0.0), south(north.x, 1.0);
+        add_triangle(mesh, add_vertex(mesh, chart(north), north, mirror_u), column, column + 1);
+        add_triangle(mesh, add_vertex(mesh, chart(south), south, mirror_u), last_row + column + 1,
+                     last_row + column);
+    }
+}
+
 asset::Mesh named(std::string_view name) {
     asset::Mesh mesh;
     mesh.name = name;
@@ -93,11 +120,13 @@ std::span<const std::string_view> shape_names() {
     return kNames;
 }
 
-std::optional<asset::Mesh> make_shape(std::string_view name) {
-    if (name == "plane") return make_plane(16, false);
-    if (name == "sphere") return make_sphere(128, 64, false);
-    if (name == "torus") return make_torus(128, 64, 1.0f, 0.4f, false);
+std::optional<asset::Mesh> make_shape(std::string_view name, int detail) {
+    if (name == "plane") return make_plane(16 * detail, false);
+    if (name == "sphere") return make_sphere(128 * detail, 64 * detail, false);
+    if (name == "torus") return make_torus(128 * detail, 64 * detail, 1.0f, 0.4f, false);
     if (name == "cube") return make_cube();
+    if (name == "rounded_cube") return make_rounded_cube(64 * detail);
+    if (name == "rock") return make_rock(128 * detail, 64 * detail);
     return std::nullopt;
 }
 
@@ -111,18 +140,14 @@ asset::Mesh make_plane(int n, bool mirror_u) {
 }
 
 asset::Mesh make_sphere(int slices, int stacks, bool mirror_u) {
-    slices = std::max(slices, 3);
-    stacks = std::max(stacks, 2);
     asset::Mesh mesh = named("sphere");
-    add_grid(mesh, slices, stacks, 1, stacks - 1, mirror_u, sphere_point);
-    const auto last_row = static_cast<std::uint32_t>((stacks - 2) * (slices + 1));
-    for (int slice = 0; slice < slices; ++slice) {
-        const auto column = static_cast<std::uint32_t>(slice);
-        const glm::dvec2 north((slice + 0.5) / slices, 0.0), south(north.x, 1.0);
-        add_triangle(mesh, add_vertex(mesh, sphere_point(north), north, mirror_u), column, column + 1);
-        add_triangle(mesh, add_vertex(mesh, sphere_point(south), south, mirror_u), last_row + column + 1,
-                     last_row + column);
-    }
+    add_globe(mesh, slices, stacks, mirror_u, sphere_point);
+    return mesh;
+}
+
+asset::Mesh make_rock(int slices, int stacks) {
+    asset::Mesh mesh = named("rock");
+    add_globe(mesh, slices, stacks, false, rock_point);
     return mesh;
 }
 
@@ -137,17 +162,26 @@ asset::Mesh make_torus(int major_segments, int minor_segments, float R, float r,
 }
 
 asset::Mesh make_cube() {
-    struct Face {
-        glm::dvec3 normal, right, up;
-    };
-    constexpr Face kFaces[] = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                               {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                               {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}};
     asset::Mesh mesh = named("cube");
-    for (const Face& face : kFaces) {
+    for (int i = 0; i < 6; ++i) {
+        const CubeFace& face = cube_face(i);
         add_grid(mesh, 1, 1, 0, 1, false, [&](glm::dvec2 st) {
             return Point{face.normal + (2.0 * st.x - 1.0) * face.right + (1.0 - 2.0 * st.y) * face.up,
                          face.normal, face.right};
+        });
+    }
+    return mesh;
+}
+
+asset::Mesh make_rounded_cube(int n) {
+    asset::Mesh mesh = named("rounded_cube");
+    n = std::max(n, 2);
+    for (int i = 0; i < 6; ++i) {
+        const glm::dvec3 right = cube_face(i).right;
+        add_grid(mesh, n, n, 0, n, false, [&](glm::dvec2 st) {
+            const Foot foot = rounded_cube_point(i, st);
+            return Point{foot.position, foot.normal,
+                         glm::normalize(right - glm::dot(right, foot.normal) * foot.normal)};
         });
     }
     return mesh;

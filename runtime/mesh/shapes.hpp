@@ -10,8 +10,9 @@
 
 namespace sg::runtime {
 
-// "plane", "sphere", "torus" or "cube" at its default tessellation; nothing for another name.
-std::optional<asset::Mesh> make_shape(std::string_view name);
+// "plane", "sphere", "torus", "cube", "rounded_cube" or "rock" at its default tessellation, `detail` times
+// as fine along both directions; nothing for another name.
+std::optional<asset::Mesh> make_shape(std::string_view name, int detail = 1);
 std::span<const std::string_view> shape_names();
 
 // Every maker fills normals, tangents, uvs[0] = (s, t) and uvs[1] = (t, s), a chart turned by 90 degrees and
@@ -26,5 +27,9 @@ asset::Mesh make_sphere(int slices, int stacks, bool mirror_u);
 asset::Mesh make_torus(int major_segments, int minor_segments, float R, float r, bool mirror_u);
 // Side 2, four vertices per face, each face with the whole picture upright and unmirrored.
 asset::Mesh make_cube();
+// The cube with edges of radius 0.25; n x n quads per face.
+asset::Mesh make_rounded_cube(int n);
+// A lumpy ball, about 1 in radius.
+asset::Mesh make_rock(int slices, int stacks);
 
 }  // namespace sg::runtime

@@ -58,7 +58,7 @@ Made make(const Recipe& recipe, const target::ShaderLibrary& library) {
     auto textures = runtime::load_textures(files, *artefact, "in", diags);
     auto parameters = runtime::pack_parameters(*artefact, {}, diags);
     if (!textures || !parameters) fail(recipe.json, diags);
-    return {std::move(*artefact), std::move(*textures), std::move(*parameters)};
+    return {std::move(*artefact), std::move(*textures), std::move(*parameters), std::move(compiled->ir)};
 }
 
 Made make(const Recipe& recipe) {

@@ -23,6 +23,7 @@ struct Made {
     runtime::Artefact artefact;
     runtime::TextureSet textures;
     std::vector<std::byte> parameters;
+    std::string ir;  // as lowered
 };
 
 // Ends the test with the messages where the recipe does not compile.

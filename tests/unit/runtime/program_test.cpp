@@ -92,10 +92,10 @@ TEST_F(Program, SaysWhatIsWrongWithItsArguments) {
            "'1,2,3:1,2,3' [SG2105]\n");
     expect("sample.json -o a.png --light 0,0,0", 2,
            "error: --light: expected X,Y,Z, not all 0, not '0,0,0' [SG2105]\n");
-    expect("sample.json -o a.png --mesh sphre", 2,
-           "error: 'sphre' is neither a built-in shape ('plane', 'sphere', 'torus' or 'cube') nor a file, "
-           "did you mean "
-           "'sphere'? [SG2105]\n");
+    expect(
+        "sample.json -o a.png --mesh sphre", 2,
+        "error: 'sphre' is neither a built-in shape ('plane', 'sphere', 'torus', 'cube', 'rounded_cube' or "
+        "'rock') nor a file, did you mean 'sphere'? [SG2105]\n");
     expect("sample.json -o a.png --param gain=x", 2,
            "error: parameter 'gain' is a float: expected 1 number separated by commas, not 'x' [SG2105]\n");
     expect("sample.json -o a.png --param gain=9", 2,

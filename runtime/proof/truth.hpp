@@ -1,0 +1,75 @@
+// The true normal: that of the surface that a material's heights displace, in double precision.
+//
+// The smooth surface behind a built-in mesh is moved along its normal by the height of the material's first
+// stage (heights.hpp); what results is moved along *its* normal by the second stage's, and so on; a stage is
+// what one resolve ends. The truth at a pixel is the last surface's normal over the point that the pixel
+// shows. Nothing here knows surface gradients.
+//
+// Derivatives are central differences in a small square on the tangent plane of that point, whose points
+// are carried to the surface, so that poles and seams of the coordinates do not matter. Step h = 1.5e-5 of
+// the unit length: for a height of wavelength L the slope is off by (2 pi h / L)^2 / 6, 1e-6 at L = 1/30;
+// rounding (1e-16 / h) by 1e-11. Where a shader mirrors a two-sided surface, the displacement goes to the
+// visible side.
+//
+// Everything that depends on the screen (level of detail, footprint of a noise) is that of the pixel and the
+// same at all points of the square.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "runtime/camera.hpp"
+#include "runtime/mesh/smooth.hpp"
+#include "runtime/proof/heights.hpp"
+
+namespace sg::proof {
+
+// How a surface is seen.
+struct Sight {
+    runtime::SmoothShape shape = runtime::SmoothShape::sphere;
+    glm::dmat4 world_from_object{1};
+    glm::dvec3 camera{0};                // world space
+    glm::dmat4 relative_from_screen{1};  // of camera_matrices
+    double time = 0;
+};
+
+// What one pixel shows; world axes.
+struct TrueNormal {
+    glm::dvec3 normal{0};  // of the displaced surface
+    glm::dvec3 held{0};    // the same with all weights held constant: without the terms H grad w
+    glm::dvec3 base{0};    // of the smooth surface, towards the visible side if two-sided
+};
+
+class Truth {
+public:
+    // `module` as lowered, not optimised. All must outlive it.
+    Truth(const ir::Module& module, const ir::Bindings& bindings, std::map<std::string, Partner> partners,
+          const Sight& sight);
+
+    // Nothing where every stage has a height; else the first value without one.
+    [[nodiscard]] std::optional<NoHeight> missing() const;
+
+    // point: what the pixel (x, y) shows, relative to the camera; sight: from the camera to it, any length.
+    // `held` costs as much again.
+    TrueNormal at(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight, bool held = false);
+
+    // What the interpreter must be given for a pixel of the smooth surface itself: exact inputs.
+    [[nodiscard]] ir::PixelInputs inputs(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight) const;
+
+private:
+    struct Square;
+    [[nodiscard]] ir::PixelInputs inputs_at(const Square& square, const runtime::Foot& foot) const;
+    [[nodiscard]] Square square_at(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight) const;
+    glm::dvec3 displaced_normal(const Square& square, bool held);
+
+    const ir::Module& module_;
+    Heights heights_;
+    ir::Evaluator evaluator_;
+    Sight sight_;
+    glm::dmat3 normal_from_object_;
+    glm::dmat4 object_from_world_;
+    std::vector<ir::ValueId> stages_;  // the gradients of the resolves, first to last
+    bool mirrors_ = false, flips_ = false;
+};
+
+}  // namespace sg::proof
