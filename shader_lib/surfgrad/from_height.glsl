@@ -9,13 +9,13 @@
 // The surface gradient of a height from its change over the screen.
 //   frame: dpdx and dpdy before displacement; dh: (dH/dx, dH/dy), world units per pixel.
 // Result: g with dot(g, sigma_x) = dh.x, dot(g, sigma_y) = dh.y and dot(g, n) = 0; linear in dh; 0 where the pixel's
-// footprint has no area (|det| <= 1e-6 |sigma_x||sigma_y|). Cost: about 47 instructions. Source: Listing 6, Eq 7.
+// footprint has no area (|det| <= 1e-5 |dpdx||dpdy|). Cost: about 47 instructions. Source: Listing 6, Eq 7.
 vec3 sg_surfgrad_from_screen_height(SgFrame frame, vec2 dh) {
-    vec3 row_x = cross(frame.sigma_y, frame.normal);
-    vec3 row_y = cross(frame.normal, frame.sigma_x);
-    float det = dot(frame.sigma_x, row_x);
-    float largest = sqrt(dot(frame.sigma_x, frame.sigma_x) * dot(frame.sigma_y, frame.sigma_y));
-    return abs(det) > 1e-6 * largest ? (dh.x * row_x + dh.y * row_y) / det : vec3(0.0);
+    // dh.x cross(sigma_y, n) + dh.y cross(n, sigma_x) as one product: perpendicular to n, however much the sum cancels.
+    vec3 level = sg_reject(dh.x * frame.dpdy - dh.y * frame.dpdx, frame.normal);
+    float det = dot(frame.normal, cross(frame.dpdx, frame.dpdy));
+    float largest = sqrt(dot(frame.dpdx, frame.dpdx) * dot(frame.dpdy, frame.dpdy));
+    return abs(det) > 1e-5 * largest ? cross(level, frame.normal) / det : vec3(0.0);
 }
 
 // The change of a height over the screen from its derivative in the texture.

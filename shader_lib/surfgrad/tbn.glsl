@@ -28,15 +28,18 @@ SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
 // T and B from the screen derivatives of any texture coordinate.
 //   frame: of the surface; uv: st with derivatives.
 // Result: orthonormal, perpendicular to frame.normal, T towards +s and B towards +t whatever the mirroring; T = B = 0
-// (no bump) where the coordinates are degenerate: |det| <= 1e-6 |dx||dy|, or a surface seen exactly edge-on.
+// (no bump) where the coordinates are degenerate, |det| <= 1e-6 |dx||dy|, or the step along s is: without length, or
+// within 0.06 degrees of the normal, where rounding would decide its direction.
 // Cost: about 59 instructions. Source: Listing 4.
 SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     float sign_det = det < 0.0 ? -1.0 : 1.0;
     // The inverse Jacobian's first column (dx/ds, dy/ds), times |det|.
-    vec3 along_s = sign_det * (uv.dy.y * frame.sigma_x - uv.dx.y * frame.sigma_y);
+    vec3 step_s = sign_det * (uv.dy.y * frame.dpdx - uv.dx.y * frame.dpdy);
+    vec3 along_s = sg_reject(step_s, frame.normal);
     float square = dot(along_s, along_s);
-    bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)) && square > 1e-36 && square < 1e30;
+    bool tangential = square > max(1e-36, 1e-6 * dot(step_s, step_s)) && square < 1e30;
+    bool usable = tangential && abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));
     vec3 tangent = usable ? along_s * inversesqrt(square) : vec3(0.0);
     vec3 bitangent = usable ? sign_det * frame.flip_sign * cross(frame.normal, tangent) : vec3(0.0);
     return SgBasis(tangent, bitangent);
@@ -45,11 +48,11 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
 // A basis that is tangent to a new normal: vertex T and B after a resolve.
 //   basis: of the surface before; n: the resolved normal, unit.
 // Result: orthonormal and perpendicular to n; T keeps its direction on the surface, B its side; T = B = 0 where T is 0
-// or along n. Cost: about 44 instructions. Source: section 4.6; Listing 4's last line.
+// or within 0.06 degrees of n. Cost: about 44 instructions. Source: section 4.6; Listing 4's last line.
 SgBasis sg_basis_resolved(SgBasis basis, vec3 n) {
     vec3 along_s = sg_reject(basis.tangent, n);
     float square = dot(along_s, along_s);
-    bool usable = square > 1e-12 * dot(basis.tangent, basis.tangent) && square > 1e-30 && square < 1e30;
+    bool usable = square > 1e-6 * dot(basis.tangent, basis.tangent) && square > 1e-30 && square < 1e30;
     vec3 tangent = usable ? along_s * inversesqrt(square) : vec3(0.0);
     vec3 across = cross(n, tangent);
     vec3 bitangent = dot(across, basis.bitangent) < 0.0 ? -across : across;

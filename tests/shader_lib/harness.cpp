@@ -238,7 +238,7 @@ std::string mutant_name(const testing::TestParamInfo<MutantOf>& info) {
 TEST_P(AgainstDouble, Holds) {
     const Case& item = GetParam();
     ASSERT_TRUE(item.reference || item.property) << "the case asserts nothing";
-    std::vector<float> inputs = draw_inputs(item, kCount);
+    std::vector<float> inputs = draw_inputs(item, item.count);
     Worst worst = compare(item, inputs, evaluate(item, inputs));
     EXPECT_EQ(worst.violation, "") << "SG_SEED=" << run_seed();
     std::cout << fmt::format("  {:<40} largest error {:.2e}, {:.0f} % of what is allowed\n", item.name,

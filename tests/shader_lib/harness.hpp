@@ -93,6 +93,7 @@ struct Case {
     std::string declarations = {};
     // In GLSL: texture i is `texture2D image_<i>` with `sampler sampler_<i>`.
     std::vector<std::shared_ptr<const CaseTexture>> textures = {};
+    std::size_t count = kCount;  // inputs to draw
 };
 
 // The shader that evaluates a case, without its #version line.

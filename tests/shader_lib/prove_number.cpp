@@ -107,7 +107,8 @@ void draw_step(Random& random, Draw& in) {
 
 std::string in_range(const In& in, const In& out) {
     if (!(out[0] >= 0.0 && out[0] <= 1.0)) return "beyond 0..1";
-    return std::isnan(in[2]) && out[0] != 0.0 ? "not-a-number is no step" : "";
+    const bool number = !std::isnan(in[0]) && !std::isnan(in[1]) && !std::isnan(in[2]);
+    return !number && out[0] != 0.0 ? "not-a-number is no step" : "";
 }
 
 Case step() {
@@ -125,8 +126,8 @@ Case step() {
             .mutants = {{kFile, "(x - low) / width", "(x - high) / width"},
                         {kFile, "float width = high - low;", "float width = abs(high - low);"},
                         {kFile, "abs(width) > 0.0 ?", "width > 0.0 ?"},
-                        {kFile, "x >= low ? 1.0 : 0.0", "x > low ? 1.0 : 0.0"},
-                        {kFile, "x >= low ? 1.0 : 0.0", "0.0"},
+                        {kFile, "x >= low && x >= high", "x > low && x > high"},
+                        {kFile, "(x >= low && x >= high ? 1.0 : 0.0)", "0.0"},
                         {kFile, "t < 1.0 ? t : 1.0", "t"},
                         {kFile, "t > 0.0 ? inside : 0.0", "inside"},
                         {kFile, "(3.0 - 2.0 * clamped)", "(2.0 - 1.0 * clamped)"},
@@ -141,6 +142,7 @@ Case wild_step() {
     };
     item.reference = {};
     item.mutants = {{kFile, "t > 0.0 ? inside : 0.0", "t < 0.0 ? 0.0 : inside"},
+                    {kFile, "x >= low && x >= high", "x >= low"},
                     {kFile, "t < 1.0 ? t : 1.0", "t"}};
     return item;
 }
@@ -175,6 +177,8 @@ TEST(NumberReference, WhatHasNoAnswerIsZero) {
     EXPECT_EQ(ref::positive_power(NAN, 2.0), 0.0);
     EXPECT_EQ(ref::smoothstep(0.0, 1.0, NAN), 0.0);
     EXPECT_EQ(ref::smoothstep(1.0, 1.0, NAN), 0.0);
+    EXPECT_EQ(ref::smoothstep(0.0, NAN, 1.0), 0.0);
+    EXPECT_EQ(ref::smoothstep(NAN, 1.0, 2.0), 0.0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace sg::ref {
 dvec3 surfgrad_from_screen_height(const Frame& frame, dvec2 dh) {
     const dmat3 rows = glm::transpose(dmat3(frame.sigma_x, frame.sigma_y, frame.normal));
     const double area = std::abs(glm::determinant(rows));
-    if (!(area > 1e-6 * glm::length(frame.sigma_x) * glm::length(frame.sigma_y))) return dvec3(0.0);
+    if (!(area > 1e-5 * glm::length(frame.dpdx) * glm::length(frame.dpdy))) return dvec3(0.0);
     return glm::inverse(rows) * dvec3(dh, 0.0);
 }
 

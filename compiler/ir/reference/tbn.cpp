@@ -23,6 +23,10 @@ Basis basis_uv(const Frame& frame, const Uv& uv) {
     if (!(area > 1e-6 * glm::length(uv.dx) * glm::length(uv.dy))) return {};
     const Tangents raw = tangents_of(frame, uv);
     if (!(glm::length(raw.per_s) * area > 1e-18)) return {};
+    // What the step along s loses to the projection must leave a direction.
+    const dvec2 column = glm::inverse(glm::dmat2(uv.dx, uv.dy))[0];
+    const dvec3 step = frame.dpdx * column.x + frame.dpdy * column.y;
+    if (!(glm::length(raw.per_s) > 1e-3 * glm::length(step))) return {};
     const dvec3 tangent = normalized(raw.per_s);
     // Of the two directions across, the one on the side of growing t.
     const dvec3 across = glm::cross(frame.normal, tangent);
@@ -31,7 +35,7 @@ Basis basis_uv(const Frame& frame, const Uv& uv) {
 
 Basis basis_resolved(const Basis& basis, dvec3 n) {
     const dvec3 across = glm::cross(n, basis.tangent);  // as long as the part of T that survives
-    if (!(glm::length(across) > 1e-6 * glm::length(basis.tangent)) || !(glm::length(across) > 1e-15))
+    if (!(glm::length(across) > 1e-3 * glm::length(basis.tangent)) || !(glm::length(across) > 1e-15))
         return {};
     const dvec3 unit_across = normalized(across);
     return {glm::cross(unit_across, n),

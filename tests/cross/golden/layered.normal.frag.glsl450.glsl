@@ -171,29 +171,42 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv)
 {
     float det = (uv.dx.x * uv.dy.y) - (uv.dx.y * uv.dy.x);
     float sign_det = (det < 0.0) ? (-1.0) : 1.0;
-    vec3 along_s = ((frame.sigma_x * uv.dy.y) - (frame.sigma_y * uv.dx.y)) * sign_det;
+    vec3 step_s = ((frame.dpdx * uv.dy.y) - (frame.dpdy * uv.dx.y)) * sign_det;
+    vec3 param = step_s;
+    vec3 param_1 = frame.normal;
+    vec3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
-    bool usable = ((abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)))) && (square > 1.0000000359391298238442905219083e-36)) && (square < 1000000015047466219876688855040.0);
-    vec3 _488;
-    if (usable)
+    bool tangential = (square > max(1.0000000359391298238442905219083e-36, 9.9999999747524270787835121154785e-07 * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0);
+    bool _500;
+    if (tangential)
     {
-        _488 = along_s * inversesqrt(square);
+        _500 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _488 = vec3(0.0);
+        _500 = tangential;
     }
-    vec3 tangent = _488;
-    vec3 _499;
+    bool usable = _500;
+    vec3 _503;
     if (usable)
     {
-        _499 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _503 = along_s * inversesqrt(square);
     }
     else
     {
-        _499 = vec3(0.0);
+        _503 = vec3(0.0);
     }
-    vec3 bitangent = _499;
+    vec3 tangent = _503;
+    vec3 _514;
+    if (usable)
+    {
+        _514 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+    }
+    else
+    {
+        _514 = vec3(0.0);
+    }
+    vec3 bitangent = _514;
     return SgBasis(tangent, bitangent);
 }
 
@@ -209,25 +222,25 @@ vec2 sg_deriv_from_normal_xy(vec2 m)
 
 SgBasis sg_basis_mirror(SgBasis basis, vec2 scale)
 {
-    vec3 _522;
+    vec3 _537;
     if (scale.x < 0.0)
     {
-        _522 = -basis.tangent;
+        _537 = -basis.tangent;
     }
     else
     {
-        _522 = basis.tangent;
+        _537 = basis.tangent;
     }
-    vec3 _535;
+    vec3 _550;
     if (scale.y < 0.0)
     {
-        _535 = -basis.bitangent;
+        _550 = -basis.bitangent;
     }
     else
     {
-        _535 = basis.bitangent;
+        _550 = basis.bitangent;
     }
-    return SgBasis(_522, _535);
+    return SgBasis(_537, _550);
 }
 
 vec3 sg_resolve(vec3 n, vec3 g)

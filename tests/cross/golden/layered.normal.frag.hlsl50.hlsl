@@ -193,31 +193,44 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv)
 {
     float det = (uv.dx.x * uv.dy.y) - (uv.dx.y * uv.dy.x);
     float sign_det = (det < 0.0f) ? (-1.0f) : 1.0f;
-    float3 along_s = ((frame.sigma_x * uv.dy.y) - (frame.sigma_y * uv.dx.y)) * sign_det;
+    float3 step_s = ((frame.dpdx * uv.dy.y) - (frame.dpdy * uv.dx.y)) * sign_det;
+    float3 param = step_s;
+    float3 param_1 = frame.normal;
+    float3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
-    bool usable = ((abs(det) > (9.9999999747524270787835121154785e-07f * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)))) && (square > 1.0000000359391298238442905219083e-36f)) && (square < 1000000015047466219876688855040.0f);
-    float3 _486;
-    if (usable)
+    bool tangential = (square > max(1.0000000359391298238442905219083e-36f, 9.9999999747524270787835121154785e-07f * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0f);
+    bool _498;
+    if (tangential)
     {
-        _486 = along_s * rsqrt(square);
+        _498 = abs(det) > (9.9999999747524270787835121154785e-07f * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _486 = 0.0f.xxx;
+        _498 = tangential;
     }
-    float3 tangent = _486;
-    float3 _497;
+    bool usable = _498;
+    float3 _501;
     if (usable)
     {
-        _497 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _501 = along_s * rsqrt(square);
     }
     else
     {
-        _497 = 0.0f.xxx;
+        _501 = 0.0f.xxx;
     }
-    float3 bitangent = _497;
-    SgBasis _514 = { tangent, bitangent };
-    return _514;
+    float3 tangent = _501;
+    float3 _512;
+    if (usable)
+    {
+        _512 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+    }
+    else
+    {
+        _512 = 0.0f.xxx;
+    }
+    float3 bitangent = _512;
+    SgBasis _529 = { tangent, bitangent };
+    return _529;
 }
 
 float2 sg_decode_signed(float2 texel, float zero)
@@ -232,26 +245,26 @@ float2 sg_deriv_from_normal_xy(float2 m)
 
 SgBasis sg_basis_mirror(SgBasis basis, float2 scale)
 {
-    float3 _520;
+    float3 _535;
     if (scale.x < 0.0f)
     {
-        _520 = -basis.tangent;
+        _535 = -basis.tangent;
     }
     else
     {
-        _520 = basis.tangent;
+        _535 = basis.tangent;
     }
-    float3 _533;
+    float3 _548;
     if (scale.y < 0.0f)
     {
-        _533 = -basis.bitangent;
+        _548 = -basis.bitangent;
     }
     else
     {
-        _533 = basis.bitangent;
+        _548 = basis.bitangent;
     }
-    SgBasis _543 = { _520, _533 };
-    return _543;
+    SgBasis _558 = { _535, _548 };
+    return _558;
 }
 
 float3 sg_resolve(float3 n, float3 g)

@@ -193,29 +193,42 @@ SgBasis sg_basis_uv(thread const SgFrame& frame, thread const SgUv& uv)
 {
     float det = (uv.dx.x * uv.dy.y) - (uv.dx.y * uv.dy.x);
     float sign_det = (det < 0.0) ? (-1.0) : 1.0;
-    float3 along_s = ((frame.sigma_x * uv.dy.y) - (frame.sigma_y * uv.dx.y)) * sign_det;
+    float3 step_s = ((frame.dpdx * uv.dy.y) - (frame.dpdy * uv.dx.y)) * sign_det;
+    float3 param = step_s;
+    float3 param_1 = frame.normal;
+    float3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
-    bool usable = ((abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)))) && (square > 1.0000000359391298238442905219083e-36)) && (square < 1000000015047466219876688855040.0);
-    float3 _486;
-    if (usable)
+    bool tangential = (square > fast::max(1.0000000359391298238442905219083e-36, 9.9999999747524270787835121154785e-07 * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0);
+    bool _498;
+    if (tangential)
     {
-        _486 = along_s * rsqrt(square);
+        _498 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _486 = float3(0.0);
+        _498 = tangential;
     }
-    float3 tangent = _486;
-    float3 _497;
+    bool usable = _498;
+    float3 _501;
     if (usable)
     {
-        _497 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _501 = along_s * rsqrt(square);
     }
     else
     {
-        _497 = float3(0.0);
+        _501 = float3(0.0);
     }
-    float3 bitangent = _497;
+    float3 tangent = _501;
+    float3 _512;
+    if (usable)
+    {
+        _512 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+    }
+    else
+    {
+        _512 = float3(0.0);
+    }
+    float3 bitangent = _512;
     return SgBasis{ tangent, bitangent };
 }
 
@@ -234,25 +247,25 @@ float2 sg_deriv_from_normal_xy(thread const float2& m)
 static inline __attribute__((always_inline))
 SgBasis sg_basis_mirror(thread const SgBasis& basis, thread const float2& scale)
 {
-    float3 _520;
+    float3 _535;
     if (scale.x < 0.0)
     {
-        _520 = -basis.tangent;
+        _535 = -basis.tangent;
     }
     else
     {
-        _520 = basis.tangent;
+        _535 = basis.tangent;
     }
-    float3 _533;
+    float3 _548;
     if (scale.y < 0.0)
     {
-        _533 = -basis.bitangent;
+        _548 = -basis.bitangent;
     }
     else
     {
-        _533 = basis.bitangent;
+        _548 = basis.bitangent;
     }
-    return SgBasis{ _520, _533 };
+    return SgBasis{ _535, _548 };
 }
 
 static inline __attribute__((always_inline))
