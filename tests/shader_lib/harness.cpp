@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
@@ -220,6 +221,30 @@ std::vector<MutantOf> mutants_of(const std::vector<Case>& cases) {
         for (const Mutant& mutant : item.mutants) out.push_back({item, mutant});
     }
     return out;
+}
+
+namespace {
+
+std::vector<std::function<std::vector<Case>()>>& case_lists() {
+    static std::vector<std::function<std::vector<Case>()>> lists;
+    return lists;
+}
+
+}  // namespace
+
+bool add_cases(std::function<std::vector<Case>()> cases) {
+    case_lists().push_back(std::move(cases));
+    return true;
+}
+
+const Case* find_case(const std::string& name) {
+    static const std::vector<Case> all = [] {
+        std::vector<Case> out;
+        for (const auto& list : case_lists()) out = joined(std::move(out), list());
+        return out;
+    }();
+    auto found = std::find_if(all.begin(), all.end(), [&](const Case& item) { return item.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {

@@ -128,6 +128,10 @@ std::vector<MutantOf> mutants_of(const std::vector<Case>& cases);
 std::string case_name(const testing::TestParamInfo<Case>& info);
 std::string mutant_name(const testing::TestParamInfo<MutantOf>& info);
 
+// Every case that SG_PROVE registered can be found by its name; null if there is none.
+bool add_cases(std::function<std::vector<Case>()> cases);
+const Case* find_case(const std::string& name);
+
 // What a failing test prints of its parameter.
 inline void PrintTo(const Case& item, std::ostream* out) {
     *out << item.name;
@@ -143,6 +147,7 @@ class Mutants : public testing::TestWithParam<MutantOf> {};
 
 // Registers `Concept/AgainstDouble.Holds/<case>` and `Concept/Mutants.AreNoticed/<case>_<number>`.
 #define SG_PROVE(Concept, cases)                                                                        \
+    [[maybe_unused]] const bool kAdded##Concept = ::sg::proof::add_cases([] { return cases; });         \
     INSTANTIATE_TEST_SUITE_P(Concept, AgainstDouble, testing::ValuesIn(cases), ::sg::proof::case_name); \
     INSTANTIATE_TEST_SUITE_P(Concept, Mutants, testing::ValuesIn(::sg::proof::mutants_of(cases)),       \
                              ::sg::proof::mutant_name)

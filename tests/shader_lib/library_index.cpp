@@ -60,4 +60,15 @@ std::string doc_comment(const std::string& file, const std::string& function) {
     return "";
 }
 
+std::string definition(const std::string& file, const std::string& function) {
+    std::istringstream lines(library_text(file));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        if (text.empty() && defined_function(line) != function) continue;
+        text += (text.empty() ? "" : "\n") + line;
+        if (line[0] == '}' || (line[0] != ' ' && line.ends_with("}"))) return text;
+    }
+    return text;
+}
+
 }  // namespace sg::proof

@@ -16,4 +16,7 @@ std::map<std::string, std::string> library_functions();
 // The doc comment above the first definition of a function: the `//` lines that touch it.
 std::string doc_comment(const std::string& file, const std::string& function);
 
+// The first definition of a function, from its type to its closing brace; "" if the file does not define it.
+std::string definition(const std::string& file, const std::string& function);
+
 }  // namespace sg::proof

@@ -47,9 +47,7 @@ std::vector<Case> frame_cases() {
                     Draw& in) { in.put(0, random.direction()), in.put(3, random.within(10.0)); },
          .reference = [](const In& in, Expect& out) { out.put(0, ref::reject(in.v3(3), in.v3(0))); },
          .bound = kProjection,
-         .condition = [](const In& in) { return glm::length(in.v3(3)); },
-         .mutants = {{kFile, "return v - dot(v, n) * n;", "return v;"},
-                     {kFile, "return v - dot(v, n) * n;", "return v + dot(v, n) * n;"}}},
+         .condition = [](const In& in) { return glm::length(in.v3(3)); }},
         {.name = "frame",
          .include = kFile,
          .inputs = 12,
@@ -62,11 +60,7 @@ std::vector<Case> frame_cases() {
          .condition = longest_step,
          .property = sigma_is_tangent,
          .mutants = {{kFile, "float sign_dp = dot(dpdy, cross(n, dpdx)) < 0.0",
-                      "float sign_dp = dot(dpdx, cross(n, dpdy)) < 0.0"},
-                     {kFile, "n, dpdx, dpdy, sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp",
-                      "n, dpdx, dpdy, dpdx, dpdy, sign_dp"},
-                     {kFile, "n, dpdx, dpdy, sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp",
-                      "n, dpdx, dpdy, sg_reject(dpdy, n), sg_reject(dpdx, n), sign_dp"}}},
+                      "float sign_dp = dot(dpdx, cross(n, dpdy)) < 0.0"}}},
         {.name = "frame_resolved",
          .include = kFile,
          .inputs = 15,
@@ -86,9 +80,7 @@ std::vector<Case> frame_cases() {
          .bound = kProjection,
          .condition = longest_step,
          .property = sigma_is_tangent,
-         .mutants = {{kFile, "sg_reject(frame.dpdx, n), sg_reject(frame.dpdy, n)",
-                      "frame.sigma_x, frame.sigma_y"},
-                     {kFile, "                   frame.flip_sign);",
+         .mutants = {{kFile, "                   frame.flip_sign);",
                       "                   sg_frame(frame.position, frame.dpdx, frame.dpdy, n).flip_sign);"},
                      {kFile, "SgFrame(frame.position, n, frame.dpdx",
                       "SgFrame(frame.position, frame.normal, frame.dpdx"}}},
@@ -107,9 +99,7 @@ std::vector<Case> normal_cases() {
          // A dot product (3 roundings, halved by the root), the inverse root (2) and the product (1).
          .bound = {.absolute = 10 * kUlp},
          .property = unit,
-         .mutants = {{kFile, "vertex_normal * inversesqrt(square)", "vertex_normal"},
-                     {kFile, "vertex_normal * inversesqrt(square)",
-                      "vertex_normal.xzy * inversesqrt(square)"}}},
+         .mutants = {{kFile, "vertex_normal * inversesqrt(square)", "vertex_normal"}}},
         {.name = "base_normal_any_input",
          .include = kFile,
          .inputs = 3,
@@ -129,9 +119,7 @@ std::vector<Case> normal_cases() {
          .glsl = "put(0, sg_mirror_normal(v3(0), f(3)));",
          .draw = [](Random& random, Draw& in) { in.put(0, random.direction()), in.put(3, random.sign()); },
          .reference = [](const In& in, Expect& out) { out.put(0, ref::mirror_normal(in.v3(0), in[3])); },
-         .bound = {.absolute = 1e-30},  // a product with 1 or -1 is exact
-         .mutants = {{kFile, "return facing * n;", "return n;"},
-                     {kFile, "return facing * n;", "return -facing * n;"}}},
+         .bound = {.absolute = 1e-30}},  // a product with 1 or -1 is exact
     };
 }
 

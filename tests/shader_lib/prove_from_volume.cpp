@@ -35,10 +35,7 @@ std::vector<Case> cases() {
                             ? ""
                             : "g leaves the tangent plane";
              },
-         .mutants = {{kFile, "return sg_reject(cut, n);", "return cut;"},
-                     {kFile, "return sg_reject(cut, n);", "return -sg_reject(cut, n);"},
-                     {kFile, "modest ? gradient :", "modest ? gradient.yxz :"},
-                     {kFile, "SG_MAX_VOLUME_GRADIENT * inversesqrt(square) * gradient", "gradient"}}},
+         .mutants = {{kFile, "SG_MAX_VOLUME_GRADIENT * inversesqrt(square) * gradient", "gradient"}}},
         {.name = "surfgrad_from_volume_is_linear",
          .include = kFile,
          .inputs = 7,

@@ -36,7 +36,6 @@ std::vector<Case> cases() {
          // Slopes below 2^-14 are denormal, off by 2^-25 in all.
          .bound = {.absolute = 2.0 * kHalfUlp},
          .property = unit,
-         .mutants = {{"surfgrad/deriv.glsl", "? -m.xy / z", "? -m.yx / z"}},
          .declarations = kHalf},
         {.name = "half_gradient_from_normal",
          .include = "surfgrad/from_normal.glsl surfgrad/resolve.glsl",
@@ -52,7 +51,6 @@ std::vector<Case> cases() {
          // Three components, each off by h of its size: sqrt(3) h of the length; doubled for the rounded n.
          .bound = {.absolute = 4.0 * kHalfUlp},
          .property = [](const In&, const In& out) { return is_unit(out.v3(0)) ? "" : "not unit"; },
-         .mutants = {{"surfgrad/from_normal.glsl", "-tilt / rise", "tilt / rise"}},
          .declarations = kHalf},
         {.name = "half_gradient_from_volume",
          .include = "surfgrad/from_volume.glsl surfgrad/resolve.glsl",

@@ -123,7 +123,6 @@ Case occlusion() {
                          "float top = heights.y + heights.x;"},
                         {kFile, "view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)",
                          "-view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)"},
-                        {kFile, "view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)", "view.xy"},
                         {kFile, "crossed ? gap / (gap - gap_before) : 0.0", "0.0"},
                         {kFile, "top - float(i + 1) * drop", "top - float(i) * drop"},
                         {kFile, "filtering), st, level).x", "filtering), st, 0.0).x"}},
