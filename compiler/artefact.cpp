@@ -169,6 +169,14 @@ Json textures_json(const ArtefactInput& input) {
     return out;
 }
 
+// What was read beside the material itself and its textures.
+Json sources_json(const ArtefactInput& input) {
+    Json out = Json::array();
+    for (const material::CheckedShader& shader : input.material->shaders)
+        out.push_back({{"file", shader.file}, {"hash", shader.hash}});
+    return out;
+}
+
 Json samplers_json(const ArtefactInput& input) {
     Json out = Json::array();
     for (const emit::SamplerSlot& slot : input.interface->samplers) {
@@ -202,6 +210,7 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
                      {"source", {{"file", input.source_file}, {"hash", input.source_hash}}},
                      {"two_sided", word(input.material->surface.two_sided)},
                      {"entry_points", entries}};
+    if (!input.material->shaders.empty()) manifest["sources"] = sources_json(input);
     if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
     manifest["textures"] = textures_json(input);
     manifest["samplers"] = samplers_json(input);

@@ -68,14 +68,14 @@ bool has_limits(const material::Budget& budget) {
 
 }  // namespace
 
-bool check_material(const CompileRequest& request, Files& files, Diags& diags) {
-    return read_and_check(request.source, {request.roots}, files, diags).has_value();
+bool check_material(const CompileRequest& request, Files& files, const target::ShaderLibrary& library,
+                    Diags& diags) {
+    return read_and_verify(request, files, library, diags).has_value();
 }
 
 std::optional<Compiled> compile_material(const CompileRequest& request, Files& files,
                                          const target::ShaderLibrary& library, Diags& diags) {
-    std::optional<material::CheckedMaterial> checked =
-        read_and_check(request.source, {request.roots}, files, diags);
+    std::optional<material::CheckedMaterial> checked = read_and_verify(request, files, library, diags);
     if (!checked) return std::nullopt;
 
     std::size_t before = diags.error_count();
@@ -84,7 +84,9 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     SamplerGroups samplers = group_samplers(*checked);
     emit::MaterialInterface interface = emit::material_interface(optimised, samplers.group);
 
-    Compiled out{.ir = ir::print(lowered), .optimised_ir = ir::print(optimised)};
+    Compiled out{.ir = ir::print(lowered), .reference_ir = "", .optimised_ir = ir::print(optimised)};
+    if (material::has_reference(*checked))
+        out.reference_ir = ir::print(material::lower(*checked, material::Custom::replaced));
     std::vector<CompiledEntry> entries;
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
         if (!wanted(request, entry.name)) continue;

@@ -24,6 +24,7 @@ struct CompileRequest {
     std::vector<const target::Target*> targets{target::find_target("spirv")};
     target::SpirvOptions spirv;
     bool optimise_ir = true;
+    std::vector<std::pair<std::string, std::string>> defines;  // macros of the user's GLSL: name and value
     material::Budget budget;   // beside the material's own; its places count for nothing
     std::string skipped_rule;  // of the optimiser; for measurements
 };
@@ -34,7 +35,8 @@ struct NamedText {
 };
 
 struct Compiled {
-    std::string ir;  // as lowered
+    std::string ir;            // as lowered
+    std::string reference_ir;  // with custom layers replaced by their equivalents; "" where one has none
     std::string optimised_ir;
     std::vector<NamedText> glsl;                             // by entry point and stage
     std::vector<NamedText> spirv_assembly;                   // of what is shipped
@@ -42,7 +44,8 @@ struct Compiled {
 };
 
 // Reads and checks alone: true without errors.
-bool check_material(const CompileRequest& request, Files& files, Diags& diags);
+bool check_material(const CompileRequest& request, Files& files, const target::ShaderLibrary& library,
+                    Diags& diags);
 
 // Empty exactly when it added an error. A failure behind the check is our own bug and ends the process
 // with 3.

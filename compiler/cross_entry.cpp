@@ -19,8 +19,13 @@ std::optional<std::vector<CrossFile>> cross_entry(const emit::Shaders& shaders, 
             std::string missing = target::missing_feature(source->plain_words(), *target);
             if (missing.empty()) {
                 const target::Words& words = source->words(*target);
-                out.push_back({source->stage(), target,
-                               target::cross_compile(words, source->stage(), *target, interface)});
+                std::string fault;
+                auto text = target::cross_compile(words, source->stage(), *target, interface, fault);
+                if (text) {
+                    out.push_back({source->stage(), target, std::move(*text)});
+                    continue;
+                }
+                cannot_write(name, *target, shaders.has_user_glsl, fault, diags);
             } else {
                 diags.error(Code::target_lacks,
                             fmt::format("'{}' {}, which {} cannot express", name, missing, target->name));

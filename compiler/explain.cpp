@@ -74,6 +74,34 @@ std::string annotated(const ir::Module& module, Remark remark) {
     return out;
 }
 
+// ---- what the user's functions are checked against ----
+
+void add_references(std::string& out, const std::vector<material::CheckedLayer>& layers,
+                    const material::CheckedMaterial& material) {
+    for (const material::CheckedLayer& layer : layers) {
+        for (const layers::FieldValue& value : layer.values) {
+            if (value.word.empty()) continue;
+            const std::string& file = material.shaders[layer.values.front().index].file;
+            std::string reference = "no reference: add an 'equivalent' to have one";
+            if (!layer.equivalent.empty()) {
+                const layers::LayerKind* kind = layer.equivalent.front().kind;
+                reference =
+                    fmt::format("the reference is its equivalent of kind '{}'", kind ? kind->name : "group");
+            }
+            out += fmt::format("{} ({} of {}): {}\n", printable(layer.id), printable(value.word),
+                               printable(file), reference);
+        }
+        add_references(out, layer.group, material);
+    }
+}
+
+// "" without such functions.
+std::string references(const material::CheckedMaterial& material) {
+    std::string out;
+    for (const auto& stage : material.stages) add_references(out, stage, material);
+    return out.empty() ? "" : "\n# What your own GLSL can be compared with, in double precision\n\n" + out;
+}
+
 // ---- what each layer costs ----
 
 class Costs {
@@ -133,7 +161,7 @@ private:
 
 std::optional<std::string> explain_material(const CompileRequest& request, Files& files,
                                             const target::ShaderLibrary& library, Diags& diags) {
-    auto checked = read_and_check(request.source, {request.roots}, files, diags);
+    auto checked = read_and_verify(request, files, library, diags);
     if (!checked) return std::nullopt;
     ir::Module before = material::lower(*checked);
     opt::Log log;
@@ -143,6 +171,7 @@ std::optional<std::string> explain_material(const CompileRequest& request, Files
     out += annotated(before, [&](std::size_t i) { return remarks.before(i); });
     out += fmt::format("\n# After it: {} values\n\n", after.values.size());
     out += annotated(after, [&](std::size_t i) { return remarks.after(i); });
+    out += references(*checked);
     out += "\n# What each layer costs the forward fragment shader (with all layers - without this one)\n\n";
     return out + Costs(std::move(*checked), request, library).text();
 }

@@ -39,12 +39,17 @@ std::optional<CompiledFunction> compile_function(const ir::Module& module,
                         fmt::format("'{}' {}, which {} cannot express", name, missing, target->name));
             continue;
         }
-        std::string text = target->language == target::Language::spirv
-                               ? target::without_includes(out.function.text, library)
-                               : target::cross_compile_function(source.words(*target), *target,
-                                                                out.function.suffix, kShared);
-        std::string signature = target::signature_of(text, out.function.name);
-        out.texts.push_back({target, out.function.comment + "\n" + text, std::move(signature)});
+        std::string fault;
+        auto text = target->language == target::Language::spirv
+                        ? target::without_includes(out.function.text, library)
+                        : target::cross_compile_function(source.words(*target), *target, out.function.suffix,
+                                                         kShared, fault);
+        if (!text) {
+            cannot_write(name, *target, out.function.has_user_glsl, fault, diags);
+            continue;
+        }
+        std::string signature = target::signature_of(*text, out.function.name);
+        out.texts.push_back({target, out.function.comment + "\n" + *text, std::move(signature)});
     }
     if (diags.error_count() != before) return std::nullopt;
     return out;

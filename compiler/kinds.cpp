@@ -43,6 +43,14 @@ std::string values(const Field& field) {
             return "three numbers, not all 0";
         case FieldKind::range:
             return "two numbers";
+        case FieldKind::file:
+            return "a path";
+        case FieldKind::identifier:
+            return "a name";
+        case FieldKind::arguments:
+            return "a list";
+        case FieldKind::layer:
+            return "a layer or a group";
     }
     SG_UNREACHABLE("a field of no kind");
 }
@@ -55,6 +63,10 @@ std::string fallback(const Field& field) {
         case FieldKind::texture:
         case FieldKind::direction:
         case FieldKind::range:
+        case FieldKind::file:
+        case FieldKind::identifier:
+        case FieldKind::arguments:
+        case FieldKind::layer:
             return "";
         case FieldKind::vector:
             return fmt::format("{0}, {0}, {0}", field.fallback);

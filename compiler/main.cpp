@@ -13,6 +13,7 @@
 #include "artefact.hpp"
 #include "base/ice.hpp"
 #include "compile.hpp"
+#include "custom/user_glsl.hpp"
 #include "emit/function.hpp"
 #include "emit/glsl.hpp"
 #include "explain.hpp"
@@ -35,6 +36,7 @@ struct Options {
     std::vector<std::string> targets{"spirv"};
     std::vector<std::string> emit;
     std::vector<std::string> budget;
+    std::vector<std::string> defines;
     std::string name;
     std::string diagnostics = "human";
     std::string color = "auto";
@@ -82,6 +84,12 @@ std::string set_limit(const std::string& word, sg::material::Budget& budget) {
     return "";
 }
 
+// "NAME=VALUE" or "NAME", which is 1.
+std::pair<std::string, std::string> split_define(const std::string& word) {
+    std::size_t equals = word.find('=');
+    return {word.substr(0, equals), equals == word.npos ? "1" : word.substr(equals + 1)};
+}
+
 sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, const Options& options) {
     sg::CompileRequest request{.source = std::move(source)};
     fs::path path = file == "-" ? fs::path(request.source->name) : fs::path(file);
@@ -95,6 +103,7 @@ sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, c
     request.spirv.debug_info = options.debug;
     request.optimise_ir = !options.o0;
     for (const std::string& word : options.budget) set_limit(word, request.budget);
+    for (const std::string& word : options.defines) request.defines.push_back(split_define(word));
     return request;
 }
 
@@ -132,7 +141,7 @@ int run_task(const Options& options, Task task) {
         if (!source) continue;
         sg::CompileRequest request = make_request(source, file, options);
         if (task == Task::check) {
-            sg::check_material(request, files, diags);
+            sg::check_material(request, files, library, diags);
             continue;
         }
         if (task == Task::explain) {
@@ -191,6 +200,13 @@ void add_input_options(CLI::App& command, Options& options) {
     command.add_option("FILE", options.files, "material files; - reads standard input")->required();
     command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")
         ->type_name("DIR");
+    command
+        .add_option("-D", options.defines, "macro of custom layers' GLSL: NAME or NAME=VALUE (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->check([](const std::string& word) {
+            auto [name, value] = split_define(word);
+            return sg::custom::define_fault(name, value);
+        });
     command.add_option("--name", options.name, "name of standard input in messages and of its files");
     add_message_options(command, options);
 }

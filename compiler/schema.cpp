@@ -2,11 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/ice.hpp"
 #include "layers/kind.hpp"
-#include "material/material.hpp"
+#include "material/checked.hpp"
 
 namespace sg {
 namespace {
@@ -63,6 +64,15 @@ Json value_of(const Field& field) {
             return numbers(3, number(-1e6, 1e6));
         case FieldKind::range:
             return numbers(2, bounded);
+        case FieldKind::file:
+            return {{"type", "string"}, {"minLength", 1}};
+        case FieldKind::identifier:
+            return reference("name");
+        case FieldKind::arguments:
+            return {
+                {"type", "array"}, {"items", reference("argument")}, {"maxItems", material::kMaxArguments}};
+        case FieldKind::layer:
+            return reference("layer");
     }
     SG_UNREACHABLE("a field of no kind");
 }
@@ -71,8 +81,10 @@ Json described(const Field& field) {
     Json out = value_of(field);
     std::string unit = field.unit.empty() ? "" : fmt::format(" ({})", field.unit);
     out["description"] = std::string(field.doc) + unit;
-    if (field.required || field.kind == FieldKind::texture || field.kind == FieldKind::range ||
-        field.kind == FieldKind::direction)
+    constexpr FieldKind kNone[] = {FieldKind::texture,   FieldKind::range, FieldKind::direction,
+                                   FieldKind::arguments, FieldKind::file,  FieldKind::identifier,
+                                   FieldKind::layer};
+    if (field.required || std::find(std::begin(kNone), std::end(kNone), field.kind) != std::end(kNone))
         return out;
     if (field.kind == FieldKind::choice) {
         out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
@@ -136,6 +148,21 @@ Json node_definition() {
     for (const layers::NodeKind& kind : layers::all_node_kinds()) any.push_back(node_schema(kind, false));
     for (std::string_view name : {"texture", "texture_color"})
         any.push_back(node_schema(*layers::find_node_kind(name), true));
+    return {{"anyOf", any}};
+}
+
+// What a user's function is handed.
+Json argument_definition() {
+    Json any = Json::array();
+    std::vector<std::string_view> names;
+    for (const layers::SurfaceArgument& row : layers::surface_arguments()) names.push_back(row.name);
+    Json four = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}};
+    any.push_back(words(names));
+    any.push_back({{"type", "number"}});
+    any.push_back(four);
+    any.push_back(object({{"uv", reference("uv")}}, {"uv"}));
+    any.push_back(object({{"texture", reference("name")}}, {"texture"}));
+    for (const char* name : {"parameter reference", "node reference", "node"}) any.push_back(reference(name));
     return {{"anyOf", any}};
 }
 
@@ -223,6 +250,7 @@ std::string schema_text() {
                         {"node reference", {{"type", "string"}, {"pattern", "^@.+"}}},
                         {"uv", uv_definition()},
                         {"node", node_definition()},
+                        {"argument", argument_definition()},
                         {"layer", layer_definition()}};
     Json stage =
         object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}},

@@ -19,4 +19,11 @@ const target::Words& ShaderSource::words(const target::Target& target) {
     return at->second;
 }
 
+void cannot_write(const std::string& name, const target::Target& target, bool has_user_glsl,
+                  const std::string& fault, Diags& diags) {
+    if (!has_user_glsl) SG_UNREACHABLE(fmt::format("{} cannot be written: {}", target.name, fault));
+    diags.error(Code::target_lacks,
+                fmt::format("'{}' cannot be written as {}: {}", name, target.name, printable(fault)));
+}
+
 }  // namespace sg

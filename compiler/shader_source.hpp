@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/diag.hpp"
 #include "target/spirv.hpp"
 #include "target/targets.hpp"
 
@@ -30,5 +31,9 @@ private:
     const target::ShaderLibrary& library_;
     std::map<std::string_view, target::Words> compiled_;
 };
+
+// What the cross-compiler cannot do and missing_feature does not know: the user's GLSL may say it, ours not.
+void cannot_write(const std::string& name, const target::Target& target, bool has_user_glsl,
+                  const std::string& fault, Diags& diags);
 
 }  // namespace sg

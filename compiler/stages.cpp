@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/ice.hpp"
+#include "custom_shaders.hpp"
 #include "json/json.hpp"
 #include "opt/optimise.hpp"
 
@@ -18,6 +19,14 @@ std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source,
     material::Material read = material::read(*document, diags);
     std::optional<material::CheckedMaterial> checked = material::check(read, files, roots, diags);
     return diags.error_count() == before ? std::move(checked) : std::nullopt;
+}
+
+std::optional<material::CheckedMaterial> read_and_verify(const CompileRequest& request, Files& files,
+                                                         const target::ShaderLibrary& library, Diags& diags) {
+    auto checked = read_and_check(request.source, {request.roots}, files, diags);
+    if (checked && !verify_shaders(*checked, request.defines, library, request.source, diags))
+        return std::nullopt;
+    return checked;
 }
 
 SamplerGroups group_samplers(const material::CheckedMaterial& material) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "compile.hpp"
 #include "emit/glsl.hpp"
 #include "material/checked.hpp"
 #include "target/spirv.hpp"
@@ -16,6 +17,10 @@ namespace sg {
 // JSON text to a material without faults. Empty exactly when it added an error.
 std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source, const material::Roots& roots,
                                                         Files& files, Diags& diags);
+
+// The same, and the user's GLSL verified and made safe to be put into a shader.
+std::optional<material::CheckedMaterial> read_and_verify(const CompileRequest& request, Files& files,
+                                                         const target::ShaderLibrary& library, Diags& diags);
 
 // Textures that sample alike share a sampler: the settings by group, and the group of each texture.
 struct SamplerGroups {

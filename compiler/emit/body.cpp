@@ -105,9 +105,28 @@ void Body::count_uses() {
         const Value& value = module_.values[i];
         std::uint32_t times = is_trivial(value) ? std::min(uses_[i], 2u) : 1;
         for (std::size_t k = 0; k < value.operands.size(); ++k) {
-            uses_[value.operands[k].index] += times * times_written(wording_(value.op).glsl, k);
+            bool called = ir::info(value.op).attribute == Attribute::Function;
+            uses_[value.operands[k].index] += called ? 1 : times * times_written(wording_(value.op).glsl, k);
         }
     }
+}
+
+// A call of a user's function. A texture is two arguments, as everywhere in the library.
+std::string Body::call(const Value& value) const {
+    const ir::Function& function = module_.functions[value.index];
+    std::string arguments;
+    std::size_t operand = 0;
+    for (const ir::Argument& argument : function.arguments) {
+        if (!arguments.empty()) arguments += ", ";
+        if (!argument.texture.valid()) {
+            arguments += expressions_[value.operands[operand++].index];
+            continue;
+        }
+        const TextureSlot* slot = material_.texture(argument.texture.index);
+        SG_ASSERT(slot != nullptr);
+        arguments += fmt::format("{}, {}", slot->variable, material_.samplers[slot->sampler].variable);
+    }
+    return fmt::format("{}{}({})", ir::shader_prefix(function.shader), function.name, arguments);
 }
 
 std::string Body::attribute(const Value& value) const {
@@ -138,6 +157,8 @@ std::string Body::attribute(const Value& value) const {
         case Attribute::Corner:
             return fmt::format("{}, {}", value.index < 2 ? "SG_RIGHT_HAND" : "SG_LEFT_HAND",
                                value.index % 2 == 0 ? "SG_UPPER_LEFT" : "SG_LOWER_LEFT");
+        case Attribute::Function:
+            return call(value);
         case Attribute::Texture:
         case Attribute::None:
             break;

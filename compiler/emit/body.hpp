@@ -33,6 +33,7 @@ public:
 private:
     [[nodiscard]] std::string expression(const ir::Value& value) const;
     [[nodiscard]] std::string attribute(const ir::Value& value) const;
+    [[nodiscard]] std::string call(const ir::Value& value) const;
     [[nodiscard]] std::string operand_of(const ir::Value& parent, std::size_t index) const;
     [[nodiscard]] bool wants_name(std::size_t i, const std::string& expression) const;
     [[nodiscard]] std::string wanted_name(std::size_t i) const;

@@ -120,7 +120,7 @@ bool reads(std::string_view text, const std::string& name) {
 std::vector<FunctionResource> resources_of(const ir::Module& module, const MaterialInterface& material) {
     std::vector<bool> sampled(module.textures.size(), false), filtering(material.samplers.size(), false);
     for (const ir::Value& value : module.values) {
-        if (ir::info(value.op).attribute == ir::Attribute::Texture) sampled[value.index] = true;
+        for (std::uint32_t texture : ir::textures_of(module, value)) sampled[texture] = true;
     }
     std::vector<FunctionResource> out;
     for (const TextureSlot& slot : material.textures) {
@@ -196,6 +196,39 @@ std::string caller_of(const MaterialFunction& function) {
                              arguments(function, false));
 }
 
+// The user's GLSL that the module calls. Other than the library's its names are this material's alone.
+std::string user_glsl(const ir::Module& module, std::vector<std::string>& names) {
+    std::vector<bool> called(module.shaders.size(), false);
+    for (const ir::Value& value : module.values) {
+        if (ir::info(value.op).attribute == ir::Attribute::Function)
+            called[module.functions[value.index].shader] = true;
+    }
+    std::string out;
+    for (std::size_t i = 0; i < called.size(); ++i) {
+        if (!called[i]) continue;
+        const ir::Shader& shader = module.shaders[i];
+        out += fmt::format("// {}\n{}\n", comment_text(shader.file), shader.text);
+        names.insert(names.end(), shader.names.begin(), shader.names.end());
+    }
+    return out;
+}
+
+// The text with a suffix behind each of these words.
+std::string with_suffix(const std::string& text, const std::vector<std::string>& names,
+                        const std::string& suffix) {
+    if (names.empty()) return text;
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && is_word(text[end])) ++end;
+        std::string word = text.substr(at, std::max<std::size_t>(end - at, 1));
+        bool known = std::find(names.begin(), names.end(), word) != names.end();
+        out += known ? word + suffix : word;
+        at += word.size();
+    }
+    return out;
+}
+
 }  // namespace
 
 std::span<const Output> function_outputs() {
@@ -238,13 +271,18 @@ MaterialFunction emit_function(const ir::Module& module, const MaterialInterface
         ir::ValueId value = module.output(output);
         returned += (returned.empty() ? "" : ", ") + (value.valid() ? body.operand(value) : "0.0");
     }
-    const std::string lines = fmt::format("{}    return SgMaterialResult({});\n", body.text(), returned);
+    std::vector<std::string> names;
+    const std::string user = user_glsl(module, names);
+    out.has_user_glsl = !user.empty();
+    const std::string lines = with_suffix(
+        fmt::format("{}    return SgMaterialResult({});\n", body.text(), returned), names, out.suffix);
     for (const FunctionField& field : function_inputs()) {
         if (reads(lines, field.name)) out.inputs.push_back(field.name);
     }
     out.comment = comment_of(module, out);
     for (std::string_view include : body.includes()) out.text += fmt::format("#include \"{}\"\n", include);
-    out.text += "\n" + shared_types() + parameters_text(module, material, out.parameters_type);
+    out.text += "\n" + with_suffix(user, names, out.suffix) + shared_types() +
+                parameters_text(module, material, out.parameters_type);
     out.text += fmt::format("SgMaterialResult {}({}) {{\n{}}}\n", out.name, arguments(out, true), lines);
     out.caller = caller_of(out);
     return out;

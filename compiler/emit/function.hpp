@@ -42,6 +42,7 @@ struct FunctionResource {
 };
 
 struct MaterialFunction {
+    bool has_user_glsl = false;
     std::string name;                 // "sg_material_brick"
     std::string suffix;               // "_brick": of everything that belongs to this material alone
     std::string parameters_type;      // "SgMaterialParameters_brick"; "" without parameters

@@ -151,6 +151,7 @@ struct Used {
     bool object_block = false;
     std::vector<bool> textures;
     std::uint32_t texture_reads = 0;
+    std::set<std::uint32_t> shaders;
 };
 Used used_by(const ir::Module& module) {
     Used used;
@@ -161,8 +162,9 @@ Used used_by(const ir::Module& module) {
         if (value.op == Op::time) used.frame_block = true;
         if (value.op != Op::time && ir::info(value.op).include == "stage/object.glsl")
             used.object_block = true;
-        if (attribute == ir::Attribute::Texture) {
-            used.textures[value.index] = true;
+        if (attribute == ir::Attribute::Function) used.shaders.insert(module.functions[value.index].shader);
+        for (std::uint32_t texture : ir::textures_of(module, value)) {
+            used.textures[texture] = true;
             ++used.texture_reads;
         }
     }
@@ -221,11 +223,16 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     }
     out.interface.bindings = bindings_of(entry, module, material, used);
     out.texture_reads = used.texture_reads;
+    out.has_user_glsl = !used.shaders.empty();
     std::string last = tail(module, entry, body, out.interface);
 
     std::set<std::string_view> includes = body.includes();
     includes.insert(entry.includes.begin(), entry.includes.end());
     std::string text = head(module, "fragment", entry.name) + include_lines(includes);
+    for (std::uint32_t shader : used.shaders) {
+        const ir::Shader& file = module.shaders[shader];
+        text += fmt::format("// {}\n{}\n", comment_text(file.file), file.text);
+    }
     std::string declarations = material_declarations(module, material, used.parameters, used.textures);
     if (!declarations.empty()) text += declarations + "\n";
     for (const Varying& v : out.interface.varyings) {

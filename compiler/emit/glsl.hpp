@@ -28,11 +28,13 @@ struct Shaders {
     std::string vertex;
     std::string fragment;
     EntryInterface interface;
-    std::uint32_t texture_reads = 0;
+    std::uint32_t texture_reads = 0;  // a call of a user's function counts once per texture that it is handed
+    bool has_user_glsl = false;
 };
 
 // The vertex shader that hands over these varyings.
-std::string emit_vertex(const ir::Module& module, const EntryPoint& entry, const std::vector<Varying>& varyings);
+std::string emit_vertex(const ir::Module& module, const EntryPoint& entry,
+                        const std::vector<Varying>& varyings);
 
 // `module` holds the outputs of the entry point alone (opt::select_outputs) and is verified.
 Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material);

@@ -53,7 +53,7 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
 
     std::vector<bool> sampled(module.textures.size(), false);
     for (const ir::Value& value : module.values) {
-        if (ir::info(value.op).attribute == ir::Attribute::Texture) sampled[value.index] = true;
+        for (std::uint32_t texture : ir::textures_of(module, value)) sampled[texture] = true;
     }
     std::uint32_t binding = 1;
     for (std::uint32_t i = 0; i < module.textures.size(); ++i) {

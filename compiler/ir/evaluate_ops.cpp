@@ -308,6 +308,12 @@ Rows gradients_rows() {
         Row{Op::surfgrad_from_tbn, ref::surfgrad_from_tbn},
         Row{Op::scale_surfgrad, [](double s, dvec3 g) { return ref::combine_scale(g, s); }},
         Row{Op::add_surfgrad, ref::combine_add},
+        // a user's functions: the module with their equivalents is what can be run
+        Row{Op::custom_deriv, [](const Call&) -> dvec2 { SG_UNREACHABLE("a user's GLSL has no reference"); }},
+        Row{Op::custom_gradient,
+            [](const Call&) -> dvec3 { SG_UNREACHABLE("a user's GLSL has no reference"); }},
+        Row{Op::custom_surfgrad,
+            [](const Call&) -> dvec3 { SG_UNREACHABLE("a user's GLSL has no reference"); }},
         // normals
         Row{Op::resolve, ref::resolve},
         Row{Op::flip, ref::flip},

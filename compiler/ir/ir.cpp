@@ -95,6 +95,31 @@ std::span<const Output> all_outputs() {
     return kOutputOrder;
 }
 
+std::string shader_prefix(std::size_t shader) {
+    return shader == 0 ? "c_" : "c" + std::to_string(shader + 1) + "_";
+}
+
+std::vector<std::uint32_t> textures_of(const Module& module, const Value& value) {
+    std::vector<std::uint32_t> out;
+    Attribute attribute = info(value.op).attribute;
+    if (attribute == Attribute::Texture) out.push_back(value.index);
+    if (attribute == Attribute::Function) {
+        for (const Argument& argument : module.functions[value.index].arguments) {
+            if (argument.texture.valid()) out.push_back(argument.texture.index);
+        }
+    }
+    return out;
+}
+
+std::vector<Type> operand_types(const Module& module, const Value& value) {
+    if (info(value.op).attribute != Attribute::Function) return info(value.op).operands;
+    std::vector<Type> out;
+    for (const Argument& argument : module.functions[value.index].arguments) {
+        if (!argument.texture.valid()) out.push_back(argument.type);
+    }
+    return out;
+}
+
 ValueId Module::output(Output which) const {
     for (const OutputBinding& binding : outputs) {
         if (binding.output == which) return binding.value;

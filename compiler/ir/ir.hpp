@@ -50,7 +50,8 @@ enum class Attribute : std::uint8_t {
     Count,
     Channel,
     Axis,
-    Corner
+    Corner,
+    Function
 };
 // Whether Value::index holds the attribute.
 bool is_index(Attribute attribute);
@@ -105,6 +106,28 @@ struct Parameter {
 };
 using ParameterId = Id<Parameter>;
 
+// A file of the user's own GLSL. The text, which is not printed, is safe to be put into a shader: all that it
+// declares begins with shader_prefix of its number.
+struct Shader {
+    std::string file;
+    std::string text;
+    std::vector<std::string> names;  // all that it declares, with the prefix
+};
+std::string shader_prefix(std::size_t shader);
+
+// A function of such a file as one layer calls it. A texture is handed over as it is, all else are operands.
+struct Argument {
+    Type type = Type::Any;
+    TextureId texture;  // invalid: an operand of the type
+    bool operator==(const Argument&) const = default;
+};
+struct Function {
+    std::string name;
+    std::uint32_t shader = 0;  // into Module::shaders
+    std::vector<Argument> arguments;
+    bool operator==(const Function&) const = default;
+};
+
 // The layer that a value was lowered from: its id and kind as written, for names and comments in generated
 // text.
 struct Layer {
@@ -157,6 +180,8 @@ struct Module {
     std::string name;
     std::vector<Texture> textures;
     std::vector<Parameter> parameters;
+    std::vector<Shader> shaders;
+    std::vector<Function> functions;
     std::vector<Layer> layers;
     std::vector<Value> values;
     std::vector<OutputBinding> outputs;
@@ -164,6 +189,11 @@ struct Module {
     [[nodiscard]] const Value& at(ValueId id) const { return values[id.index]; }
     [[nodiscard]] ValueId output(Output which) const;  // invalid if absent
 };
+
+// The textures that a value reads: each by its number.
+std::vector<std::uint32_t> textures_of(const Module& module, const Value& value);
+// The types of a value's operands, also where a user's function decides them.
+std::vector<Type> operand_types(const Module& module, const Value& value);
 
 // How many of Value::number a constant of this type uses; 0 for types that no constant has.
 std::size_t component_count(Type type);

@@ -130,6 +130,12 @@ private:
             std::string name = in.quoted('"');
             in.expect(':');
             module.parameters.push_back({std::move(name), type(in)});
+        } else if (word == "shader") {
+            if (in.number<std::size_t>() != module.shaders.size())
+                in.fail("shaders must be numbered in order");
+            module.shaders.push_back({in.quoted('"'), "", {}});
+        } else if (word == "function") {
+            function(in);
         } else if (word == "layer") {
             layer(in);
         } else if (word == "output") {
@@ -146,6 +152,21 @@ private:
         auto i = index_of(encoding_names(), encoding, [](std::string_view n) { return n; });
         if (!i) in.fail(fmt::format("unknown encoding '{}'", encoding));
         module.textures.push_back({std::move(name), static_cast<TextureEncoding>(i.value_or(0))});
+    }
+
+    void function(LineReader& in) {
+        if (in.number<std::size_t>() != module.functions.size())
+            in.fail("functions must be numbered in order");
+        Function found{.name = in.quoted('"'), .shader = in.number<std::uint32_t>(), .arguments = {}};
+        while (in.fault.empty() && !in.at_end()) {
+            if (in.rest.starts_with("texture ")) {
+                in.word();
+                found.arguments.push_back({Type::Any, {in.number<std::uint32_t>()}});
+            } else {
+                found.arguments.push_back({type(in), {}});
+            }
+        }
+        module.functions.push_back(std::move(found));
     }
 
     void layer(LineReader& in) {

@@ -53,6 +53,17 @@ std::string print(const Module& module) {
         out +=
             fmt::format("parameter {} {} : {}\n", i, quoted(parameter.name, '"'), info(parameter.type).name);
     }
+    for (std::size_t i = 0; i < module.shaders.size(); ++i)
+        out += fmt::format("shader {} {}\n", i, quoted(module.shaders[i].file, '"'));
+    for (std::size_t i = 0; i < module.functions.size(); ++i) {
+        const Function& function = module.functions[i];
+        out += fmt::format("function {} {} {}", i, quoted(function.name, '"'), function.shader);
+        for (const Argument& argument : function.arguments) {
+            out += argument.texture.valid() ? fmt::format(" texture {}", argument.texture.index)
+                                            : fmt::format(" {}", info(argument.type).name);
+        }
+        out += "\n";
+    }
     LayerId current;
     for (std::size_t i = 0; i < module.values.size(); ++i) {
         const Value& value = module.values[i];

@@ -3,6 +3,8 @@
 //   module "brick"
 //   texture 0 "scan" tangent_normal
 //   parameter 0 "detail" : Scalar
+//   shader 0 "dents.glsl"             a file of the user's GLSL, without its text
+//   function 0 "dents" 0 Uv texture 0 of a shader, with its arguments
 //   %0 = position : Position
 //   layer "scan" normal_map           values from here on belong to this layer
 //   %1 = uv_set 0 : Uv                attribute Set

@@ -16,8 +16,10 @@ struct Verifier {
     }
 
     void operands(std::size_t i, const Value& value, const OpInfo& row, const std::string& where) {
-        if (value.operands.size() != row.operands.size()) {
-            fault(where, fmt::format("'{}' takes {} operands, found {}", row.name, row.operands.size(),
+        if (row.attribute == Attribute::Function && value.index >= module.functions.size()) return;
+        const std::vector<Type> types = operand_types(module, value);
+        if (value.operands.size() != types.size()) {
+            fault(where, fmt::format("'{}' takes {} operands, found {}", row.name, types.size(),
                                      value.operands.size()));
             return;
         }
@@ -28,9 +30,9 @@ struct Verifier {
                 continue;
             }
             Type found = module.at(operand).type;
-            if (found != row.operands[k]) {
+            if (found != types[k]) {
                 fault(where, fmt::format("'{}' takes {} as operand {}, found {} (%{})", row.name,
-                                         info(row.operands[k]).name, k, info(found).name, operand.index));
+                                         info(types[k]).name, k, info(found).name, operand.index));
             }
         }
     }
@@ -72,6 +74,17 @@ struct Verifier {
                 break;
             case Attribute::Axis:
                 below(value, 3, "axis", where);
+                break;
+            case Attribute::Function:
+                if (value.index >= module.functions.size()) {
+                    fault(where, "no such function");
+                    break;
+                }
+                for (std::uint32_t texture : textures_of(module, value)) {
+                    if (texture >= module.textures.size()) fault(where, "no such texture");
+                }
+                if (module.functions[value.index].shader >= module.shaders.size())
+                    fault(where, "no such shader");
                 break;
             case Attribute::None:
                 break;

@@ -15,16 +15,20 @@
 namespace sg::layers {
 
 enum class FieldKind {
-    texture,    // the name of a declared texture
-    uv,         // a uv set 0..7, or an object that transforms one
-    choice,     // one of `choices`
-    integer,    // a whole number
-    number,     // a number, "$parameter", "@node" or a node written in place
-    pair,       // a number (for both), two numbers, or "$parameter" of type float or vec2
-    color,      // three numbers, "$parameter" of type color or vec3, "@node" or a node
-    vector,     // three numbers
-    direction,  // three numbers, not all 0; unit when checked
-    range       // two numbers
+    texture,     // the name of a declared texture
+    uv,          // a uv set 0..7, or an object that transforms one
+    choice,      // one of `choices`
+    integer,     // a whole number
+    number,      // a number, "$parameter", "@node" or a node written in place
+    pair,        // a number (for both), two numbers, or "$parameter" of type float or vec2
+    color,       // three numbers, "$parameter" of type color or vec3, "@node" or a node
+    vector,      // three numbers
+    direction,   // three numbers, not all 0; unit when checked
+    range,       // two numbers
+    file,        // the path of a GLSL file
+    identifier,  // the name of a function in it
+    arguments,   // what the function is handed: a list
+    layer        // a layer, or a group of them
 };
 
 struct Field {
@@ -40,6 +44,8 @@ struct Field {
     std::string_view unit;                       // of numbers; "" for a plain factor
     std::string_view doc;
 };
+
+class LowerContext;
 
 // A node instance of the material; see LowerContext::node.
 struct NodeTag;
@@ -57,14 +63,37 @@ struct Coordinate {
     bool operator==(const Coordinate&) const = default;
 };
 
+// What a user's function may be handed by a word.
+struct SurfaceArgument {
+    std::string_view name;
+    ir::Type type{};
+    std::string_view doc;
+    ir::ValueId (*lower)(LowerContext& context) = nullptr;
+};
+std::span<const SurfaceArgument> surface_arguments();
+
+// One argument of a user's function.
+struct Argument {
+    enum class Kind { surface, uv, texture, numbers, parameter, node } kind = Kind::numbers;
+    std::uint32_t index = 0;  // surface: into surface_arguments(); texture: into the module's textures
+    Coordinate uv;
+    std::array<double, 4> number{};
+    std::size_t count = 0;  // of the numbers
+    ir::ParameterId parameter;
+    NodeId node;
+    ir::Type type = ir::Type::Any;  // Any for a texture
+};
+
 // The checked value of a field: which member counts follows from the field's kind.
 struct FieldValue {
     std::array<double, 3>
         number{};  // number, pair, color, vector, direction, range; valid when neither of the next two is
     ir::ParameterId parameter;
     NodeId node;
-    std::uint32_t index = 0;  // texture: into the module's textures; choice; integer
+    std::uint32_t index = 0;  // texture: into the module's textures; choice; integer; file: into its shaders
     Coordinate uv;
+    std::string word;  // identifier
+    std::vector<Argument> arguments;
     bool given = false;  // it stands in the file
 };
 using FieldValues = std::span<const FieldValue>;
@@ -74,8 +103,6 @@ struct FieldFault {
     std::size_t field = 0;
     std::string message;
 };
-
-class LowerContext;
 
 // A layer's surface gradient at strength 1, unmasked, and where the layer is: 0..1, a factor on its mask.
 struct Covered {
@@ -89,6 +116,8 @@ struct LayerKind {
     std::vector<Field> fields;
     std::optional<FieldFault> (*check)(FieldValues values) =
         nullptr;  // at most one fault; null: none is possible
+    // Of kinds that call a user's function: what it must give.
+    ir::Type (*result)(FieldValues values) = nullptr;
     // The layer's surface gradient at strength 1, unmasked. Cannot fail.
     ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
     // In place of `lower`, for kinds that cover a part of the surface.

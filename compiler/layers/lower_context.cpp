@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -171,7 +172,7 @@ void LowerContext::lower_operands(NodeId id) {
     std::vector<NodeId> open{id};
     while (!open.empty()) {
         NodeId top = open.back(), next;
-        for (const FieldValue& value : nodes_[top.index].values) {
+        for (const FieldValue& value : nodes_[top.index].values) {  // nodes have no arguments
             if (value.node.valid() && !node_values_[value.node.index].valid()) next = value.node;
         }
         if (next.valid()) {
@@ -237,6 +238,40 @@ ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
         deriv = builder_.add(xyz ? Op::deriv_from_normal_xyz : Op::deriv_from_normal_xy, {m}, "deriv");
     }
     return f.green_up ? builder_.add(Op::deriv_green_up, {deriv}, "deriv") : deriv;
+}
+
+ValueId LowerContext::call(Op op, std::uint32_t shader, const std::string& name,
+                           std::span<const Argument> arguments) {
+    ir::Function function{.name = name, .shader = shader, .arguments = {}};
+    std::vector<ValueId> operands;
+    for (const Argument& a : arguments) {
+        function.arguments.push_back(
+            {a.type, a.kind == Argument::Kind::texture ? ir::TextureId{a.index} : ir::TextureId{}});
+        switch (a.kind) {
+            case Argument::Kind::surface:
+                operands.push_back(surface_arguments()[a.index].lower(*this));
+                break;
+            case Argument::Kind::uv:
+                operands.push_back(uv(a.uv));
+                break;
+            case Argument::Kind::numbers:
+                operands.push_back(builder_.constant(a.type, a.number));
+                break;
+            case Argument::Kind::parameter:
+                operands.push_back(builder_.parameter(a.parameter));
+                break;
+            case Argument::Kind::node:
+                operands.push_back(node(a.node, a.type));
+                break;
+            case Argument::Kind::texture:
+                break;
+        }
+    }
+    auto& functions = builder_.module().functions;
+    auto same = std::find(functions.begin(), functions.end(), function);
+    auto index = static_cast<std::uint32_t>(same - functions.begin());
+    if (same == functions.end()) functions.push_back(std::move(function));
+    return builder_.add_indexed(op, index, std::move(operands), name);
 }
 
 ValueId LowerContext::surfgrad_from_local(ValueId local_gradient, Space space) {

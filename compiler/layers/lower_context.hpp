@@ -66,6 +66,9 @@ public:
     // The derivative that a map of tangent normals or derivatives stores at a coordinate, along +s and +t.
     ir::ValueId map_deriv(ir::TextureId texture, ir::ValueId uv);
     [[nodiscard]] const TextureFacts& facts(ir::TextureId texture) const { return facts_[texture.index]; }
+    // A user's function with its arguments; `op` is one of the custom operations.
+    ir::ValueId call(ir::Op op, std::uint32_t shader, const std::string& function,
+                     std::span<const Argument> arguments);
     // A gradient of the lookup's space in world axes, projected.
     ir::ValueId surfgrad_from_local(ir::ValueId local_gradient, Space space);
 

@@ -17,8 +17,10 @@ CheckedLayer Checker::layer(const LayerDecl& decl) {
         checked.values =
             values(fmt::format("a layer of kind '{}'", decl.kind->name), decl.kind->fields, decl.entries);
         together(*decl.kind, decl.at, decl.entries, checked.values);
+        if (decl.kind->result) shader_call(decl, checked);
     }
     for (const LayerDecl& inner : decl.group.layers) checked.group.push_back(layer(inner));
+    for (const LayerDecl& inner : decl.equivalent) checked.equivalent.push_back(layer(inner));
     return checked;
 }
 
@@ -31,6 +33,7 @@ void Checker::claim_layers(const std::vector<LayerDecl>& decls, std::map<std::st
                   {note("the first is here", first->second)});
         }
         claim_layers(decl.group.layers, seen);
+        claim_layers(decl.equivalent, seen);
     }
 }
 

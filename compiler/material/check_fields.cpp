@@ -131,6 +131,7 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
         value.given = true;
         value.index = entry.index;
         value.uv = entry.uv;
+        if (row.kind == FieldKind::identifier) value.word = entry.word;
         if (row.kind != FieldKind::texture) {
             expression(entry.expression, row.kind, {row.minimum, row.maximum}, value);
             continue;

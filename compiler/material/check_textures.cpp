@@ -32,12 +32,17 @@ std::vector<bool> Checker::used_textures() const {
         for (const FieldEntry& entry : entries) {
             auto it = textures_by_name.find(entry.word);
             if (it != textures_by_name.end()) used[it->second] = true;
+            for (const ArgumentDecl& argument : entry.arguments) {
+                auto handed = textures_by_name.find(argument.texture);
+                if (handed != textures_by_name.end()) used[handed->second] = true;
+            }
         }
     };
     auto mark_layers = [&](auto& self, const std::vector<LayerDecl>& layers) -> void {
         for (const LayerDecl& decl : layers) {
             mark(decl.entries);
             self(self, decl.group.layers);
+            self(self, decl.equivalent);
         }
     };
     for (const NodeDecl& node : in.nodes) mark(node.entries);
@@ -45,9 +50,9 @@ std::vector<bool> Checker::used_textures() const {
     return used;
 }
 
-void Checker::texture_file(const TextureDecl& decl, CheckedTexture& texture) {
-    fs::path written(decl.file.value);
-    bool relative = !written.is_absolute() && decl.file.value.find('\0') == std::string::npos;
+std::optional<std::string> Checker::file_below_roots(const std::string& file, const At& at) {
+    fs::path written(file);
+    bool relative = !written.is_absolute() && file.find('\0') == std::string::npos;
     std::vector<fs::path> folders;
     for (const fs::path& folder : roots.folders)
         folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
@@ -61,24 +66,21 @@ void Checker::texture_file(const TextureDecl& decl, CheckedTexture& texture) {
         escaped = false;
         if (!files.exists(path)) continue;
         Files::ReadResult result = files.read(path);
-        if (result.status == Files::Status::ok) {
-            texture.hash = content_hash(result.bytes);
-        } else {
-            error(Code::file_unreadable, decl.file.at,
-                  fmt::format("cannot read '{}': {}", printable(decl.file.value), result.reason));
-        }
-        return;
+        if (result.status == Files::Status::ok) return std::move(result.bytes);
+        error(Code::file_unreadable, at, fmt::format("cannot read '{}': {}", printable(file), result.reason));
+        return std::nullopt;
     }
     if (escaped) {
-        error(Code::path_escapes, decl.file.at,
+        error(Code::path_escapes, at,
               fmt::format("path '{}' leaves the material's folder, expected a relative path below it or "
                           "below an -I root",
-                          printable(decl.file.value)));
+                          printable(file)));
     } else {
-        error(Code::file_missing, decl.file.at,
-              fmt::format("file '{}' does not exist, looked below the material's folder{}",
-                          printable(decl.file.value), roots.folders.size() > 1 ? " and every -I root" : ""));
+        error(Code::file_missing, at,
+              fmt::format("file '{}' does not exist, looked below the material's folder{}", printable(file),
+                          roots.folders.size() > 1 ? " and every -I root" : ""));
     }
+    return std::nullopt;
 }
 
 // Settings that mean nothing for the encoding, and colour spaces that would bend data.
@@ -113,7 +115,8 @@ void Checker::textures() {
                                .color_space = decl.color_space ? decl.color_space->value : natural,
                                .sampler = decl.sampler};
         if (!decl.file.value.empty()) {
-            texture_file(decl, texture);
+            if (auto bytes = file_below_roots(decl.file.value, decl.file.at))
+                texture.hash = content_hash(*bytes);
         } else if (!decl.file.at.pointer.empty()) {
             error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
         }

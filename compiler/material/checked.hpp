@@ -38,6 +38,25 @@ struct CheckedLayer {
     std::vector<layers::FieldValue> values;   // one per field of the kind
     std::vector<layers::FieldValue> common;   // one per common field
     std::vector<CheckedLayer> group;
+    std::vector<CheckedLayer> equivalent;  // at most one
+};
+
+// A file of the user's GLSL. What it says is checked by who has a compiler at hand.
+struct CheckedShader {
+    std::string file;  // as written
+    SourcePtr source;
+    std::string hash;  // of its bytes
+    std::string text;  // under names that collide with nothing; empty until it was verified
+    std::vector<std::string> names;  // those
+};
+
+// What a layer wants of such a file.
+struct ShaderCall {
+    std::size_t shader = 0;
+    std::string function;
+    std::string result;                  // GLSL type
+    std::vector<std::string> arguments;  // GLSL types
+    At file_at, function_at;
 };
 
 struct CheckedSurface {
@@ -51,6 +70,8 @@ struct CheckedMaterial {
     std::vector<CheckedParameter> parameters;
     std::vector<CheckedTexture> textures;  // those that a layer or node names, in the order of the file
     std::vector<layers::NodeInstance> nodes;
+    std::vector<CheckedShader> shaders;
+    std::vector<ShaderCall> calls;
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
     CheckedSurface surface;
     Budget budget;
@@ -64,6 +85,8 @@ struct Roots {
 inline constexpr std::size_t kMaxTextures = 64;
 inline constexpr std::size_t kMaxLayers = 256;
 inline constexpr std::size_t kMaxStages = 8;
+inline constexpr std::size_t kMaxArguments = 32;
+inline constexpr std::size_t kMaxShaderBytes = 1u << 20u;  // of one file
 
 // Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of
 // bounds. Empty exactly when it added an error.
@@ -74,7 +97,12 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
 std::string_view parameter_type_name(ParameterType type);
 ir::Type ir_type(ParameterType type);
 
+// Layers of the user's own GLSL: called, or replaced by the layers that they are equivalent to.
+enum class Custom { called, replaced };
+// Whether each of them has an equivalent.
+bool has_reference(const CheckedMaterial& material);
+
 // Lowers to a verified module whose outputs are everything that an entry point can ask for.
-ir::Module lower(const CheckedMaterial& material);
+ir::Module lower(const CheckedMaterial& material, Custom custom = Custom::called);
 
 }  // namespace sg::material

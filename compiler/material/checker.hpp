@@ -8,6 +8,8 @@
 
 namespace sg::material {
 
+inline constexpr Range kAnyRange{-3.0e38, 3.0e38};
+
 struct Checker {
     const Material& in;
     Files& files;
@@ -49,11 +51,17 @@ struct Checker {
     void nodes();
     void node_cycles();
 
+    // check_shaders.cpp
+    void shader_call(const LayerDecl& decl, CheckedLayer& layer);
+    std::optional<std::size_t> shader(const std::string& file, const At& at);
+    layers::Argument argument(const ArgumentDecl& decl);
+
     // check_textures.cpp
+    // The bytes of a file below the roots; reports why not.
+    std::optional<std::string> file_below_roots(const std::string& file, const At& at);
     void textures();
     std::vector<bool> used_textures() const;
     void texture_settings(const TextureDecl& decl);
-    void texture_file(const TextureDecl& decl, CheckedTexture& texture);
 };
 
 // A fault of fields that are each valid alone.

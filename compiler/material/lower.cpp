@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/ice.hpp"
 #include "layers/lower_context.hpp"
 #include "material/checked.hpp"
@@ -10,8 +12,9 @@ using ir::ValueId;
 
 class Lowering {
 public:
-    explicit Lowering(const CheckedMaterial& material)
+    Lowering(const CheckedMaterial& material, Custom custom)
         : material_(material),
+          custom_(custom),
           module_(declarations(material)),
           builder_(module_),
           context_(builder_, facts(material), material.nodes,
@@ -41,6 +44,7 @@ private:
         for (const CheckedParameter& p : material.parameters)
             module.parameters.push_back({p.name, ir_type(p.type)});
         for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
+        for (const CheckedShader& s : material.shaders) module.shaders.push_back({s.file, s.text, s.names});
         return module;
     }
 
@@ -79,7 +83,9 @@ private:
     // A layer's gradient times its strength, and what it covers.
     layers::Covered scaled(const CheckedLayer& layer) {
         layers::Covered made;
-        if (layer.kind) {
+        if (custom_ == Custom::replaced && !layer.equivalent.empty()) {
+            made.gradient = sum(layer.equivalent);
+        } else if (layer.kind) {
             ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
             module_.layers.push_back({layer.id, std::string(layer.kind->name)});
             context_.set_layer(id);
@@ -126,6 +132,7 @@ private:
     }
 
     const CheckedMaterial& material_;
+    Custom custom_;
     ir::Module module_;
     ir::Builder builder_;
     layers::LowerContext context_;
@@ -133,8 +140,20 @@ private:
 
 }  // namespace
 
-ir::Module lower(const CheckedMaterial& material) {
-    ir::Module module = Lowering(material).run();
+bool has_reference(const CheckedMaterial& material) {
+    auto known = [](const auto& self, const std::vector<CheckedLayer>& layers) -> bool {
+        return std::all_of(layers.begin(), layers.end(), [&](const CheckedLayer& layer) {
+            bool calls = std::any_of(layer.values.begin(), layer.values.end(),
+                                     [](const layers::FieldValue& v) { return !v.word.empty(); });
+            return (!calls || !layer.equivalent.empty()) && self(self, layer.group);
+        });
+    };
+    return std::all_of(material.stages.begin(), material.stages.end(),
+                       [&](const auto& stage) { return known(known, stage); });
+}
+
+ir::Module lower(const CheckedMaterial& material, Custom custom) {
+    ir::Module module = Lowering(material, custom).run();
     std::string faults = ir::verify(module);
     if (!faults.empty()) SG_UNREACHABLE("lowering made a bad module:\n" + faults);
     return module;

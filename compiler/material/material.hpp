@@ -71,14 +71,25 @@ struct Expression {
     At at;
 };
 
+// An argument of a user's function.
+struct ArgumentDecl {
+    enum class Kind { surface, uv, texture, expression } kind = Kind::expression;
+    At at;
+    std::size_t surface = 0;  // into layers::surface_arguments()
+    layers::Coordinate uv;
+    std::string texture;
+    Expression expression;
+};
+
 // The value of a field as written; which member counts follows from the field's kind.
 struct FieldEntry {
     std::size_t field = 0;  // into the kind's fields
     At at;
     Expression expression;    // number, pair, color, direction, range
-    std::string word;         // texture
+    std::string word;         // texture, file, identifier
     std::uint32_t index = 0;  // choice, integer
     layers::Coordinate uv;
+    std::vector<ArgumentDecl> arguments;
 };
 
 struct NodeDecl {
@@ -102,6 +113,7 @@ struct LayerDecl {
     std::vector<FieldEntry> entries;  // of the kind's fields
     std::vector<FieldEntry> common;   // of layers::common_fields()
     GroupDecl group;
+    std::vector<LayerDecl> equivalent;  // at most one: what a user's function must amount to
 };
 
 struct StageDecl {

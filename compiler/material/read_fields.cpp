@@ -95,6 +95,15 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
             return take(reader.numbers(row.name, 2, range, false, ""), entry.expression.numbers);
         case FieldKind::vector:
             return take(reader.numbers(row.name, 3, range, false, ""), entry.expression.numbers);
+        case FieldKind::file:
+            return take(reader.string(row.name), entry.word);
+        case FieldKind::identifier:
+            return take(reader.name(row.name), entry.word);
+        case FieldKind::arguments:
+            entry.arguments = arguments(reader, row.name);
+            return entry;
+        case FieldKind::layer:
+            return std::nullopt;  // read with the layer, which holds it
         case FieldKind::direction:
             break;
     }

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "material/reader.hpp"
 
 namespace sg::material {
@@ -69,7 +71,33 @@ std::optional<LayerDecl> Reader::layer(const Value& value, const std::string& po
     if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
     decl.entries = entries(reader, kind->fields);
     decl.common = entries(reader, layers::common_fields());
+    for (const Field& row : kind->fields) {
+        if (row.kind == layers::FieldKind::layer) equivalent(reader, row, decl);
+    }
     return decl;
+}
+
+// The layer that a user's function must amount to.
+void Reader::equivalent(ObjectReader& reader, const Field& row, LayerDecl& decl) {
+    const Value* written = reader.get(row.name);
+    if (!written) return;
+    At at = reader.at(row.name, *written);
+    auto found = layer(*written, at.pointer);
+    if (!found) return;
+    auto calls = [](const auto& self, const LayerDecl& layer) -> bool {
+        return !layer.equivalent.empty() ||
+               (layer.kind &&
+                std::any_of(layer.kind->fields.begin(), layer.kind->fields.end(),
+                            [](const Field& f) { return f.kind == layers::FieldKind::file; })) ||
+               std::any_of(layer.group.layers.begin(), layer.group.layers.end(),
+                           [&](const LayerDecl& inner) { return self(self, inner); });
+    };
+    if (calls(calls, *found)) {
+        reader.error(Code::unused_setting, at,
+                     fmt::format("'{}' calls GLSL itself, expected layers of other kinds", row.name));
+        return;
+    }
+    decl.equivalent.push_back(std::move(*found));
 }
 
 void Reader::stage(const Value& value, const std::string& pointer) {

@@ -26,6 +26,7 @@ struct Reader {
     // read_layers.cpp
     void stage(const json::Value& value, const std::string& pointer);
     std::optional<LayerDecl> layer(const json::Value& value, const std::string& pointer);
+    void equivalent(ObjectReader& reader, const layers::Field& row, LayerDecl& decl);
     std::optional<LayerDecl> group(const json::Value& value, const std::string& pointer);
     void named_nodes(ObjectReader& reader);
     void node(const json::Value& value, const std::string& pointer, std::size_t index);
@@ -36,6 +37,10 @@ struct Reader {
     std::optional<Expression> expression(ObjectReader& reader, std::string_view key, std::size_t count,
                                          Range range, bool spread, bool nodes);
     std::optional<layers::Coordinate> coordinate(ObjectReader& reader, std::string_view key);
+
+    // read_arguments.cpp
+    std::vector<ArgumentDecl> arguments(ObjectReader& reader, std::string_view key);
+    std::optional<ArgumentDecl> argument(const json::Value& value, const std::string& pointer);
 };
 
 constexpr Range kAnyNumber{-3.0e38, 3.0e38};  // what a 32-bit float can hold

@@ -25,6 +25,8 @@ Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped, Log
     module_.name = declarations.name;
     module_.textures = declarations.textures;
     module_.parameters = declarations.parameters;
+    module_.shaders = declarations.shaders;
+    module_.functions = declarations.functions;
     module_.layers = declarations.layers;
 }
 

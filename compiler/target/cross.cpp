@@ -327,32 +327,35 @@ std::string missing_feature(std::span<const std::uint32_t> words, const Target& 
 
 namespace {
 
-// `write(words, target, ...)` with the cross-compiler's exceptions turned into a bug of ours: what it cannot
-// do is found by missing_feature.
+// `write()`, or nothing and the cross-compiler's words.
 template <class Write>
-auto write_or_end(const Target& target, Write write) {
+auto written(std::string& fault, Write write) -> std::optional<decltype(write())> {
     try {
         return write();
     } catch (const spirv_cross::CompilerError& error) {
-        SG_UNREACHABLE(fmt::format("{} cannot be written: {}", target.name, error.what()));
+        fault = error.what();
+        return std::nullopt;
     }
 }
 
 }  // namespace
 
-std::string cross_compile_function(const Words& words, const Target& target, std::string_view suffix,
-                                   std::span<const std::string_view> shared) {
-    std::string text = write_or_end(target, [&] {
-        if (target.language == Language::hlsl) return function_in_hlsl(words, target, suffix, shared);
-        if (target.language == Language::msl) return function_in_msl(words, target, suffix, shared);
-        return function_in_glsl(words, target, suffix, shared);
+std::optional<std::string> cross_compile_function(const Words& words, const Target& target,
+                                                  std::string_view suffix,
+                                                  std::span<const std::string_view> shared,
+                                                  std::string& fault) {
+    return written(fault, [&] {
+        std::string text = target.language == Language::hlsl ? function_in_hlsl(words, target, suffix, shared)
+                           : target.language == Language::msl
+                               ? function_in_msl(words, target, suffix, shared)
+                               : function_in_glsl(words, target, suffix, shared);
+        return declarations_for_inclusion(text, suffix);
     });
-    return declarations_for_inclusion(text, suffix);
 }
 
-CrossText cross_compile(const Words& words, Stage stage, const Target& target,
-                        const emit::MaterialInterface& material) {
-    return write_or_end(target, [&] {
+std::optional<CrossText> cross_compile(const Words& words, Stage stage, const Target& target,
+                                       const emit::MaterialInterface& material, std::string& fault) {
+    return written(fault, [&] {
         switch (target.language) {
             case Language::hlsl:
                 return to_hlsl(words, stage, target, material);

@@ -38,14 +38,18 @@ struct CrossText {
 
 // `words` have names and are not optimised, so that the text reads as the library does. The numbers of the
 // slots are those of the material, alike for all stages and entry points. Every target but spirv.
-CrossText cross_compile(const Words& words, Stage stage, const Target& target,
-                        const emit::MaterialInterface& material);
+// Nothing, and why, for what the language cannot say and missing_feature does not know: the user's GLSL alone
+// can hold that.
+std::optional<CrossText> cross_compile(const Words& words, Stage stage, const Target& target,
+                                       const emit::MaterialInterface& material, std::string& fault);
 
 // A shader that does nothing but call one function: that function and what it needs, to be included in an
 // engine's shader. Whatever is not in `shared` gets `suffix` behind its name, so that no two such texts
 // collide. `words` as above. Every target but spirv.
-std::string cross_compile_function(const Words& words, const Target& target, std::string_view suffix,
-                                   std::span<const std::string_view> shared);
+std::optional<std::string> cross_compile_function(const Words& words, const Target& target,
+                                                  std::string_view suffix,
+                                                  std::span<const std::string_view> shared,
+                                                  std::string& fault);
 
 // "" or what the shader does that the target cannot express, as in "reads the level of detail of a texture".
 // `words` are those of the source without the target's prelude.

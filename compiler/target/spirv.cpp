@@ -104,33 +104,61 @@ std::optional<Words> run_optimizer(const Words& words, Optimise level, std::stri
     return out;
 }
 
-std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage,
-                               const ShaderLibrary& library, bool debug_info, std::string& fault) {
-    start_glslang();
-    glslang::TShader shader(language(stage));
-    // glslang writes the name between quotes into #line directives of its own.
+namespace {
+
+constexpr unsigned kMessages = unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules};
+
+// glslang writes names between quotes into #line directives of its own.
+std::string file_name(std::string_view name) {
     std::string file(name);
     for (char& c : file) {
         if (c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20u) c = '?';
     }
-    const char* strings[] = {text.data()};
-    const int lengths[] = {static_cast<int>(text.size())};
-    const char* names[] = {file.c_str()};
-    shader.setStringsWithLengthsAndNames(strings, lengths, names, 1);
-    shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-    LibraryIncluder includer(library);
-    unsigned debug = debug_info ? EShMsgDebugInfo : EShMsgDefault;
-    auto messages = static_cast<EShMessages>(unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules} | debug);
-    if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) {
-        fault = first_error(shader.getInfoLog());
-        return std::nullopt;
-    }
+    return file;
+}
+
+// The shader and the program that hold what was read; both must live while either is used.
+struct Parsed {
+    std::vector<std::string> names;
+    std::vector<const char*> name_pointers, strings;
+    std::vector<int> lengths;
+    glslang::TShader shader;
     glslang::TProgram program;
-    program.addShader(&shader);
-    if (!program.link(messages)) {
-        fault = first_error(program.getInfoLog());
+
+    Parsed(std::span<const GlslPart> parts, Stage stage) : shader(language(stage)) {
+        for (const GlslPart& part : parts) {
+            names.push_back(file_name(part.name));
+            strings.push_back(part.text.data());
+            lengths.push_back(static_cast<int>(part.text.size()));
+        }
+        for (const std::string& name : names) name_pointers.push_back(name.c_str());
+        shader.setStringsWithLengthsAndNames(strings.data(), lengths.data(), name_pointers.data(),
+                                             static_cast<int>(parts.size()));
+        shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 110);
+        shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+        shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    }
+
+    // "" or glslang's log.
+    std::string read(const ShaderLibrary& library, unsigned extra_messages) {
+        LibraryIncluder includer(library);
+        auto messages = static_cast<EShMessages>(kMessages | extra_messages);
+        if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) return shader.getInfoLog();
+        program.addShader(&shader);
+        return program.link(messages) ? "" : program.getInfoLog();
+    }
+};
+
+}  // namespace
+
+std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage,
+                               const ShaderLibrary& library, bool debug_info, std::string& fault) {
+    start_glslang();
+    const GlslPart part{name, text};
+    Parsed parsed({&part, 1}, stage);
+    std::string log = parsed.read(library, debug_info ? EShMsgDebugInfo : EShMsgDefault);
+    if (!log.empty()) {
+        fault = first_error(log);
         return std::nullopt;
     }
     Words words;
@@ -138,8 +166,35 @@ std::optional<Words> front_end(std::string_view text, std::string_view name, Sta
     options.generateDebugInfo = debug_info;
     options.disableOptimizer = true;
     options.validate = false;
-    glslang::GlslangToSpv(*program.getIntermediate(language(stage)), words, &options);
+    glslang::GlslangToSpv(*parsed.program.getIntermediate(language(stage)), words, &options);
     return words;
+}
+
+std::optional<GlslFault> check_glsl(std::span<const GlslPart> parts, Stage stage,
+                                    const ShaderLibrary& library) {
+    start_glslang();
+    Parsed parsed(parts, stage);
+    std::string log = parsed.read(library, EShMsgDefault);
+    if (log.empty()) {
+        Words words;
+        glslang::GlslangToSpv(*parsed.program.getIntermediate(language(stage)), words,
+                              static_cast<glslang::SpvOptions*>(nullptr));
+        std::string invalid = validate(words);
+        return invalid.empty() ? std::nullopt : std::optional(GlslFault{"", 0, invalid});
+    }
+    // "name:12: 'x' : undeclared identifier", where the name may hold colons.
+    std::string first = first_error(log);
+    GlslFault fault{.part = "", .line = 0, .what = first};
+    for (std::size_t at = first.find(':'); at != first.npos; at = first.find(':', at + 1)) {
+        std::size_t end = at + 1;
+        while (end < first.size() && first[end] >= '0' && first[end] <= '9') ++end;
+        if (end == at + 1 || end - at > 9 || first.compare(end, 2, ": ") != 0) continue;
+        fault.part = first.substr(0, at);
+        fault.line = static_cast<std::uint32_t>(std::stoul(first.substr(at + 1, end - at - 1)));
+        fault.what = first.substr(end + 2);
+        break;
+    }
+    return fault;
 }
 
 std::optional<Words> compile_glsl(std::string_view text, std::string_view name, Stage stage,

@@ -35,6 +35,20 @@ std::optional<Words> compile_glsl(std::string_view text, std::string_view name, 
                                   const ShaderLibrary& library, const SpirvOptions& options,
                                   std::string& fault);
 
+// A text in several parts, each with a name and lines of its own.
+struct GlslPart {
+    std::string_view name;
+    std::string_view text;
+};
+struct GlslFault {
+    std::string part;        // its name, or that of a file of the library
+    std::uint32_t line = 0;  // from 1; 0: nowhere
+    std::string what;
+};
+// Reads and links, no more: the first fault.
+std::optional<GlslFault> check_glsl(std::span<const GlslPart> parts, Stage stage,
+                                    const ShaderLibrary& library);
+
 // The steps of compile_glsl, to measure them.
 std::optional<Words> front_end(std::string_view text, std::string_view name, Stage stage,
                                const ShaderLibrary& library, bool debug_info, std::string& fault);

@@ -13,15 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const target::ShaderLibrary kLibrary = target::embedded_library();
+
 std::string check(const std::string& name, std::string text, int* exit_code = nullptr) {
     MemoryFiles files;
     files.contents["/m/textures/a.png"] = "not read beyond its hash";
     files.contents["/secret.png"] = "must stay out of reach";
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests/errors/cases/shaders"))
+        files.contents["/m/shaders/" + entry.path().filename().string()] = test::read_file(entry.path());
     CompileRequest request{.source = std::make_shared<Source>(Source{name, std::move(text)})};
     request.stem = "case";
     request.roots = {"/m"};
     Diags diags;
-    bool good = check_material(request, files, diags);
+    bool good = check_material(request, files, kLibrary, diags);
     EXPECT_EQ(good, !diags.has_errors());
     for (const std::string& read : files.reads) EXPECT_NE(read, "/secret.png");
     for (const Diagnostic& d : diags.all()) {
@@ -84,7 +88,7 @@ TEST(Errors, FileThatCannotBeRead) {
             "wall.json", R"({"version":1,"textures":{"a":{"file":"a.png","encoding":"tangent_normal"}}})"})};
     request.roots = {"/m"};
     Diags diags;
-    EXPECT_FALSE(check_material(request, files, diags));
+    EXPECT_FALSE(check_material(request, files, kLibrary, diags));
     EXPECT_EQ(render(diags),
               "wall.json:1:38: error: cannot read 'a.png': Permission denied [SG1303]\n"
               "{\"version\":1,\"textures\":{\"a\":{\"file\":\"a.png\",\"encoding\":\"tangent_normal\"}}}\n"

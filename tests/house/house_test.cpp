@@ -57,6 +57,7 @@ std::vector<std::string> includes(const fs::path& path, char open = '"') {
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"base", {}},
     {"json", {"base"}},
+    {"custom", {"base"}},
     {"asset", {"base"}},
     {"ir", {"base"}},
     {"layers", {"base", "ir"}},

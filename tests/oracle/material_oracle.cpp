@@ -44,8 +44,11 @@ truth::Recipe recipe_of(const std::string& sample, std::vector<std::string> entr
 
 // Isotropic: how a driver places the samples of an anisotropic filter is its own affair.
 truth::Made made_of(const std::string& sample, const std::string& entry, Levels levels,
-                    const target::ShaderLibrary& library) {
-    truth::Made made = truth::make(recipe_of(sample, {entry}), library);
+                    const target::ShaderLibrary& library,
+                    const std::map<std::string, std::string>& other_files = {}) {
+    truth::Recipe recipe = recipe_of(sample, {entry});
+    for (const auto& [path, bytes] : other_files) recipe.files[path] = bytes;
+    truth::Made made = truth::make(recipe, library);
     for (auto& chain : made.textures.chains) {
         if (levels == Levels::first) chain.resize(1);
     }
@@ -147,7 +150,7 @@ std::vector<std::string> validation_messages() {
 Material::Material(const std::string& sample, Levels levels) {
     const Compiled compiled = compiled_of(sample);
     std::string fault;
-    module = ir::parse(compiled.ir, fault).value();
+    module = ir::parse(compiled.reference_ir, fault).value();
     const truth::Made made = made_of(sample, "normal", levels, target::embedded_library());
     const auto manifest = nlohmann::json::parse(compiled.files.back().second);
     textures.resize(module.textures.size());
@@ -246,8 +249,9 @@ std::vector<PixelInputs> draw_inputs(const std::string& sample, Seen seen) {
 }
 
 std::vector<dvec3> draw_normals(const std::string& sample, Seen seen, Levels levels,
-                                const target::ShaderLibrary& library) {
-    const truth::Made made = made_of(sample, "normal", levels, library);
+                                const target::ShaderLibrary& library,
+                                const std::map<std::string, std::string>& other_files) {
+    const truth::Made made = made_of(sample, "normal", levels, library, other_files);
     Diags diags;
     const auto view = runtime::find_view(made.artefact, "normal", diags);
     const runtime::Picture picture = draw(made, seen, {view.value()}).at("normal");

@@ -2,6 +2,7 @@
 // the render shows: pixel by pixel, how far the two are apart, beside how far rounding alone may bring them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ struct Material {
     Material(const std::string& sample, Levels levels);  // "layered.json" of materials/
     Material(const Material&) = delete;
 
-    ir::Module module;  // as lowered, before any optimisation
+    // As lowered, before any optimisation; custom layers replaced by their equivalents. Empty where one has
+    // none.
+    ir::Module module;
     std::vector<ref::MemoryTexture> textures;
     ir::Bindings bindings;
 
@@ -36,7 +39,8 @@ std::vector<std::string> all_samples();
 // resolved normal.
 std::vector<ir::PixelInputs> draw_inputs(const std::string& sample, Seen seen);
 std::vector<ref::dvec3> draw_normals(const std::string& sample, Seen seen, Levels levels,
-                                     const target::ShaderLibrary& library);
+                                     const target::ShaderLibrary& library,
+                                     const std::map<std::string, std::string>& other_files = {});
 
 // What the validation layers said about these renders so far.
 std::vector<std::string> validation_messages();

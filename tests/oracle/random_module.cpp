@@ -106,6 +106,8 @@ private:
             case ir::Attribute::Axis:
                 value.index = static_cast<std::uint32_t>(below(3));
                 break;
+            case ir::Attribute::Function:
+                return;  // it has no reference
             case ir::Attribute::None:
                 break;
         }

@@ -82,7 +82,8 @@ std::map<std::string, std::string> sample_files() {
     const fs::path root = fs::path(SG_SOURCE_DIR) / "materials";
     RealFiles files;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
-        const bool wanted = entry.path().extension() == ".json" || entry.path().extension() == ".png";
+        const bool wanted = entry.path().extension() == ".json" || entry.path().extension() == ".png" ||
+                            entry.path().extension() == ".glsl";
         if (entry.is_regular_file() && wanted)
             out[entry.path().lexically_relative(root).generic_string()] = files.read(entry.path()).bytes;
     }

@@ -1,0 +1,190 @@
+#include "custom_shaders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "custom/user_glsl.hpp"
+#include "ir/ir.hpp"
+#include "target/spirv.hpp"
+
+namespace sg {
+namespace {
+
+constexpr std::string_view kLibrary = "the library", kMacros = "-D", kCaller = "the layer's call";
+
+// A text without the prefix of a shader's names, for people.
+std::string unprefixed(std::string text, const std::string& prefix, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        std::string whole = prefix + name;
+        for (std::size_t at = text.find(whole); at != text.npos; at = text.find(whole, at + name.size()))
+            text.replace(at, whole.size(), name);
+    }
+    return text;
+}
+
+class Verifier {
+public:
+    Verifier(material::CheckedMaterial& material, std::size_t shader, const Defines& defines,
+             const target::ShaderLibrary& library, const SourcePtr& json, Diags& diags)
+        : material_(material),
+          shader_(material.shaders[shader]),
+          number_(shader),
+          prefix_(ir::shader_prefix(shader)),
+          defines_(defines),
+          library_(library),
+          json_(json),
+          diags_(diags) {}
+
+    void run() {
+        std::vector<std::string_view> includable;
+        for (const auto& [name, text] : library_.files) {
+            if (name.starts_with("surfgrad/")) includable.push_back(name);
+        }
+        const std::string& text = shader_.source->text;
+        scanned_ = custom::scan(text, includable);
+        for (const custom::Fault& fault : scanned_.faults)
+            error(Code::glsl_refused, fault.span, fault.message);
+        if (!scanned_.faults.empty()) return;
+        std::vector<std::string> names;
+        for (const auto& [name, value] : defines_) {
+            names.push_back(name);
+            bool read = std::any_of(scanned_.tokens.begin(), scanned_.tokens.end(),
+                                    [&](const custom::Token& t) { return t.text == name; });
+            if (read) macros_ += fmt::format("#define {}{} {}\n", prefix_, name, value);
+        }
+        text_ = custom::prefixed(text, scanned_, names, prefix_);
+        all_names_ = scanned_.names;
+        all_names_.insert(all_names_.end(), names.begin(), names.end());
+        if (!signatures()) return;
+        if (!compiles("") || !compiles(everything(includable))) return;
+        shader_.text = macros_ + text_;
+        for (const std::string& name : all_names_) shader_.names.push_back(prefix_ + name);
+    }
+
+private:
+    void error(Code code, Span span, std::string message) {
+        diags_.error(code, {shader_.source, span, ""}, std::move(message));
+    }
+    void error_at(const material::At& at, std::string message, std::vector<Note> notes) {
+        diags_.error(Code::glsl_signature, {json_, at.span, at.pointer}, std::move(message),
+                     std::move(notes));
+    }
+
+    // Each call needs a function of exactly its types.
+    bool signatures() {
+        bool good = true;
+        for (const material::ShaderCall& call : material_.calls) {
+            if (call.shader == number_) good = signature(call) && good;
+        }
+        return good;
+    }
+
+    bool signature(const material::ShaderCall& call) {
+        std::string wanted = custom::signature(call.result, call.function, call.arguments);
+        std::vector<std::string_view> names;
+        std::vector<Note> near;
+        for (const custom::Declaration& f : scanned_.functions) {
+            names.push_back(f.name);
+            if (f.name != call.function) continue;
+            if (f.result == call.result && f.parameters == call.arguments) return true;
+            near.push_back({fmt::format("'{}' is here", custom::signature(f.result, f.name, f.parameters)),
+                            {shader_.source, f.span, ""}});
+        }
+        std::string hint = near.empty() ? did_you_mean(call.function, names) : "";
+        if (near.empty() && hint.empty())
+            hint = names.empty() ? ", it has none" : fmt::format(", it has {}", one_of(names));
+        std::string message = near.empty()
+                                  ? fmt::format("'{}' has no function '{}'{}", printable(shader_.file),
+                                                printable(call.function), hint)
+                                  : fmt::format("the layer calls '{}', which '{}' does not have", wanted,
+                                                printable(shader_.file));
+        error_at(call.function_at, std::move(message), std::move(near));
+        return false;
+    }
+
+    static std::string everything(const std::vector<std::string_view>& files) {
+        std::string out;
+        for (std::string_view file : files) out += fmt::format("#include \"{}\"\n", file);
+        return out;
+    }
+
+    // The calls as the generated shader makes them.
+    [[nodiscard]] std::string calls() const {
+        std::string out = "\n";
+        std::size_t number = 0;
+        for (const material::ShaderCall& call : material_.calls) {
+            if (call.shader != number_) continue;
+            std::string parameters, arguments;
+            for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+                parameters += fmt::format("{}{} sg_a{}", i > 0 ? ", " : "", call.arguments[i], i);
+                arguments += fmt::format("{}sg_a{}", i > 0 ? ", " : "", i);
+            }
+            out += fmt::format("{} sg_call{}({}) {{ return {}{}({}); }}\n", call.result, number++, parameters,
+                               prefix_, call.function, arguments);
+        }
+        return out + "void main() {}\n";
+    }
+
+    // Compiles with these includes in front of what the types of arguments need.
+    bool compiles(const std::string& includes) {
+        std::string before =
+            "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
+            "#include \"surfgrad/frame.glsl\"\n#include \"surfgrad/tbn.glsl\"\n#include "
+            "\"surfgrad/uv.glsl\"\n"
+            "#include \"surfgrad/volume.glsl\"\n" +
+            includes;
+        std::string behind = calls();
+        const target::GlslPart parts[] = {
+            {kLibrary, before}, {kMacros, macros_}, {shader_.file, text_}, {kCaller, behind}};
+        auto fault = target::check_glsl(parts, target::Stage::fragment, library_);
+        if (!fault) return true;
+        std::string what = printable(unprefixed(fault->what, prefix_, all_names_));
+        while (what.ends_with(' ')) what.pop_back();
+        if (what.starts_with("'' : ")) what.erase(0, 5);
+        bool here = fault->part == shader_.file && fault->line > 0;
+        if (!here && fault->line > 0)
+            what += fmt::format(" (in {}, line {})", printable(fault->part), fault->line);
+        error(Code::glsl_fault, here ? place(fault->line, fault->what) : Span{0, 1}, std::move(what));
+        return false;
+    }
+
+    // glslang tells the line and often the token, between quotes.
+    [[nodiscard]] Span place(std::uint32_t line, const std::string& what) const {
+        std::string token;
+        if (std::size_t begin = what.find('\''); begin != what.npos)
+            token = unprefixed(what.substr(begin + 1, what.find('\'', begin + 1) - begin - 1), prefix_,
+                               all_names_);
+        std::optional<Span> first;
+        for (const custom::Token& t : scanned_.tokens) {
+            if (line_column(shader_.source->text, t.span.begin).line != line) continue;
+            if (t.text == token) return t.span;
+            if (!first) first = t.span;
+        }
+        return first.value_or(Span{0, 1});
+    }
+
+    material::CheckedMaterial& material_;
+    material::CheckedShader& shader_;
+    std::size_t number_;
+    std::string prefix_;
+    const Defines& defines_;
+    const target::ShaderLibrary& library_;
+    const SourcePtr& json_;
+    Diags& diags_;
+    custom::UserGlsl scanned_;
+    std::vector<std::string> all_names_;
+    std::string macros_, text_;
+};
+
+}  // namespace
+
+bool verify_shaders(material::CheckedMaterial& material, const Defines& defines,
+                    const target::ShaderLibrary& library, const SourcePtr& json, Diags& diags) {
+    std::size_t before = diags.error_count();
+    for (std::size_t i = 0; i < material.shaders.size(); ++i)
+        Verifier(material, i, defines, library, json, diags).run();
+    return diags.error_count() == before;
+}
+
+}  // namespace sg

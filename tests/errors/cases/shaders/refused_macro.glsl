@@ -1,0 +1,2 @@
+#define DECLARE(name) vec3 name(SgFrame frame) { return frame.normal; }
+DECLARE(dents)

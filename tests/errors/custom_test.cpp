@@ -1,0 +1,194 @@
+// GLSL of the user's own: what is refused never reaches a shader, what is accepted always compiles, whatever
+// names it uses.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "compile.hpp"
+#include "custom/user_glsl.hpp"
+#include "tests/support/golden.hpp"
+
+namespace sg {
+namespace {
+
+const target::ShaderLibrary kLibrary = target::embedded_library();
+
+std::string material(const std::string& layers) {
+    return R"({ "version": 1, "textures": { "x": { "file": "x.png", "encoding": "height" } },
+  "parameters": { "x": { "type": "float", "default": 1 } },
+  "bump": [ { "layers": [ )" +
+           layers + " ] } ] }\n";
+}
+
+std::string layer(const std::string& file, const std::string& function, const std::string& arguments) {
+    return R"({ "id": "x", "kind": "custom", "file": ")" + file + R"(", "function": ")" + function +
+           R"(", "returns": "surface_gradient", "arguments": [ )" + arguments + " ] }";
+}
+
+struct Result {
+    std::optional<Compiled> compiled;
+    std::string messages;
+};
+Result compile(const std::string& json, std::map<std::string, std::string> shaders,
+               std::vector<std::pair<std::string, std::string>> defines = {},
+               std::vector<std::string> targets = {"spirv"}) {
+    MemoryFiles files;
+    files.contents["/m/x.png"] = "";
+    for (auto& [name, text] : shaders) files.contents["/m/" + name] = text;
+    CompileRequest request{.source = std::make_shared<Source>(Source{"wall.json", json}),
+                           .stem = "wall",
+                           .roots = {"/m"},
+                           .entries = {"normal"},
+                           .targets = target::select_targets(targets),
+                           .defines = std::move(defines)};
+    Diags diags;
+    auto out = compile_material(request, files, kLibrary, diags);
+    EXPECT_EQ(out.has_value(), !diags.has_errors());
+    return {std::move(out), render(diags)};
+}
+
+std::string fragment(const Result& result) {
+    return result.compiled ? result.compiled->glsl.at(1).text : result.messages;
+}
+
+// Names that the generated text uses itself, and names of the language that the file takes for its own.
+TEST(CustomGlsl, NamesCollideWithNothing) {
+    const std::string text = R"(
+#define vec4(x) vec3(x)
+struct SurfaceGradient { vec3 m_x; };
+const float s_0 = 1.0, p_x = 2.0;
+float t_x(float m_x) { return m_x * s_0; }
+float mix(float a, float b) { return a * b + p_x; }
+vec3 m_x(SgFrame m_normal, texture2D x, sampler s, SgUv uv, float sg_material) {
+    SurfaceGradient out_value = SurfaceGradient(t_x(mix(sg_material, uv.st.x)) * textureGrad(sampler2D(x, s), uv.st, uv.dx, uv.dy).xyz);
+    return out_value.m_x;
+}
+)";
+    const std::string call = R"("frame", { "texture": "x" }, { "uv": 0 }, "$x")";
+    Result result = compile(material(layer("a.glsl", "m_x", call)), {{"a.glsl", text}});
+    ASSERT_TRUE(result.compiled) << result.messages;
+    EXPECT_NE(fragment(result).find("const float c_s_0 = 1.0, c_p_x = 2.0;"), std::string::npos);
+}
+
+// The macro of a struct's member is renamed with the rest; a member behind a dot is not.
+TEST(CustomGlsl, MembersKeepTheirNames) {
+    const std::string text =
+        "const float position = 2.0;\nvec3 f(SgFrame frame) { return position * frame.position; }\n";
+    Result result = compile(material(layer("a.glsl", "f", "\"frame\"")), {{"a.glsl", text}});
+    EXPECT_NE(fragment(result).find("return c_position * frame.position;"), std::string::npos)
+        << fragment(result);
+}
+
+TEST(CustomGlsl, TwoFilesMayUseOneName) {
+    auto text = [](const char* number) {
+        return std::string("float helper() { return ") + number +
+               "; }\nvec3 f(SgFrame frame) { return helper() * frame.sigma_x; }\n";
+    };
+    std::string second = layer("b.glsl", "f", "\"frame\"");
+    second.replace(second.find("\"x\""), 3, "\"y\"");
+    Result result = compile(material(layer("a.glsl", "f", "\"frame\"") + ", " + second),
+                            {{"a.glsl", text("1.0")}, {"b.glsl", text("2.0")}});
+    EXPECT_NE(fragment(result).find("float c2_helper() { return 2.0; }"), std::string::npos)
+        << fragment(result);
+    EXPECT_NE(fragment(result).find("c2_f(m_frame)"), std::string::npos) << fragment(result);
+}
+
+TEST(CustomGlsl, MacrosOfTheCommandLine) {
+    const std::string text =
+        "#ifndef DEPTH\n#define DEPTH 1.0\n#endif\nvec3 f(SgFrame frame) { return DEPTH * frame.sigma_x; }\n";
+    const std::string json = material(layer("a.glsl", "f", "\"frame\""));
+    EXPECT_EQ(fragment(compile(json, {{"a.glsl", text}}, {{"UNUSED", "1"}})).find("UNUSED"),
+              std::string::npos);
+    std::string defined = fragment(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0"}}));
+    EXPECT_NE(defined.find("#define c_DEPTH 2.0\n"), std::string::npos) << defined;
+    EXPECT_EQ(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0.0.0"}}).messages.substr(0, 15),
+              "a.glsl:4:1: err");
+    EXPECT_EQ(custom::define_fault("DEPTH", "2.0 + (1.0)"), "");
+    for (auto [name, value] : {std::pair{"sg_x", "1"},
+                               {"1X", "1"},
+                               {"A B", "1"},
+                               {"", "1"},
+                               {"X(a)", "a"},
+                               {"X", "1\n#define Y"},
+                               {"X", "1 // "},
+                               {"X", "\\"},
+                               {"X", "dFdx(1.0)"},
+                               {"X", "}"},
+                               {"X", ") ("},
+                               {"X", "#"},
+                               {"X", "\"a\""},
+                               {"main", "1"}}) {
+        EXPECT_NE(custom::define_fault(name, value), "") << name << "=" << value;
+    }
+}
+
+// What one language lacks is that language's error, not ours.
+TEST(CustomGlsl, ThatATargetCannotExpress) {
+    const std::string text =
+        "vec3 f(texture2D x, sampler s, SgUv uv) { return textureGather(sampler2D(x, s), uv.st, 1).xyz; }\n";
+    const std::string json = material(layer("a.glsl", "f", R"({ "texture": "x" }, { "uv": 0 })"));
+    EXPECT_TRUE(compile(json, {{"a.glsl", text}}).compiled);
+    EXPECT_EQ(
+        compile(json, {{"a.glsl", text}}, {}, {"essl300"}).messages,
+        "error: 'wall.normal' gathers texels of another channel than red, with offsets or with a comparison "
+        "(textureGather), which essl300 cannot express [SG1401]\n");
+}
+
+TEST(CustomGlsl, WithoutEquivalentHasNoReference) {
+    const std::string text = "vec3 f(SgFrame frame) { return frame.sigma_x; }\n";
+    std::string call = layer("a.glsl", "f", "\"frame\"");
+    Result without = compile(material(call), {{"a.glsl", text}});
+    ASSERT_TRUE(without.compiled) << without.messages;
+    EXPECT_EQ(without.compiled->reference_ir, "");
+    call.insert(call.size() - 2, R"(, "equivalent": { "kind": "noise" })");
+    Result with = compile(material(call), {{"a.glsl", text}});
+    ASSERT_TRUE(with.compiled) << with.messages;
+    EXPECT_NE(with.compiled->reference_ir.find("noise_fractal_sum"), std::string::npos);
+    EXPECT_EQ(with.compiled->reference_ir.find("custom_"), std::string::npos);
+    EXPECT_EQ(with.compiled->ir.find("noise_"), std::string::npos);
+}
+
+// An accepted file that did not compile behind the check would end this process with exit code 3.
+TEST(CustomGlsl, RandomDamageIsRefusedOrCompiles) {
+    const std::string good = test::read_file(test::source_dir() / "materials/shaders/custom.glsl");
+    const std::string json = test::read_file(test::source_dir() / "materials/custom.json");
+    const std::string pieces[] = {
+        "#",     "\\\n", "/*",  "*/",    "//",   "\n#if 0\n", "\n#endif\n", "#define dents ",
+        "{",     "}",    "(",   ")",     ";",    "float ",    "vec3 m_x;",  "sg_",
+        "const", "gl_",  "\"",  "\x01",  "main", "layout",    "dFdx",       "return ",
+        "0x",    "##",   "in ", "inout", "[",    "]",         "struct A {", "uniform "};
+    unsigned seed = std::random_device{}();
+    if (const char* wanted = std::getenv("SG_SEED")) seed = static_cast<unsigned>(std::stoul(wanted));
+    SCOPED_TRACE("SG_SEED=" + std::to_string(seed));
+    std::mt19937 random(seed);
+    auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    std::size_t accepted = 0;
+    for (int round = 0; round < 400; ++round) {
+        std::string text = good;
+        for (std::size_t k = pick(2) + 1; k > 0; --k) {
+            std::size_t at = pick(text.size());
+            switch (pick(4)) {
+                case 0:
+                    text[at] = static_cast<char>(pick(256));
+                    break;
+                case 1:
+                    text.erase(at, pick(12) + 1);
+                    break;
+                case 2:
+                    text.insert(at, text.substr(pick(text.size()), pick(12)));
+                    break;
+                default:
+                    text.insert(at, pieces[pick(std::size(pieces))]);
+            }
+        }
+        std::map<std::string, std::string> files{{"shaders/custom.glsl", text},
+                                                 {"textures/weave_normal.png", ""},
+                                                 {"textures/pebble_height.png", ""}};
+        accepted += compile(json, files).compiled ? 1 : 0;
+    }
+    EXPECT_GT(accepted, 20u);
+    EXPECT_LT(accepted, 390u);
+}
+
+}  // namespace
+}  // namespace sg

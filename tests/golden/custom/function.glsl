@@ -1,0 +1,145 @@
+// bumps of one's own: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
+// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+//   position           relative world space (origin at the camera), world units
+//   position_dx        its change per pixel to the right
+//   position_dy        its change per pixel downward
+//   normal             interpolated vertex normal, world axes, any length
+//   object_position    object space, object units
+//   object_position_dx its change per pixel to the right
+//   object_position_dy its change per pixel downward
+//   object_x           the object's x axis in world axes: a unit of object space, world units
+//   object_y           the object's y axis in world axes: a unit of object space, world units
+//   object_z           the object's z axis in world axes: a unit of object space, world units
+//   uv0                texture coordinate 0, t downward
+//   uv0_dx             its change per pixel to the right
+//   uv0_dy             its change per pixel downward
+//   uv1                texture coordinate 1, t downward
+//   uv1_dx             its change per pixel to the right
+//   uv1_dy             its change per pixel downward
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+#include "surfgrad/volume_space.glsl"
+
+// shaders/custom.glsl
+// Functions that materials/custom.json calls as layers. A function sees what it is handed and nothing else.
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/from_height.glsl"
+#include "surfgrad/height_map.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/volume.glsl"
+
+#ifndef c_OCTAVES_custom
+#define c_OCTAVES_custom 4
+#endif
+
+const float c_kZero_custom = 128.0;  // the code of the woven map that means 0
+
+// A volume gradient: dents where a turbulence is low. The chain rule brings the frequency.
+vec3 c_dents_custom(SgVolume object, float frequency, float power) {
+    SgNoise noise = sg_volume_turbulence(sg_volume_scale(object, frequency), c_OCTAVES_custom);
+    return frequency * sg_noise_power(noise, power).gradient;
+}
+
+// A derivative along +s and +t: the slopes of a map that was painted with green down.
+vec2 c_slopes_custom(texture2D map, sampler map_sampler, SgUv uv) {
+    return sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(map, map_sampler, uv).xyz, c_kZero_custom));
+}
+
+// A surface gradient: stones whose height is measured in world units.
+vec3 c_stones_custom(SgFrame frame, texture2D heights, sampler heights_sampler, SgUv uv, vec2 tiling) {
+    SgUv place = sg_uv_scale(uv, tiling);
+    vec2 deriv = sg_deriv_from_height_hq(heights, heights_sampler, place);
+    return sg_surfgrad_from_height(frame, place, sg_texture_size(heights, heights_sampler), deriv);
+}
+
+#ifndef SG_MATERIAL_TYPES
+#define SG_MATERIAL_TYPES
+
+struct SgMaterialInputs {
+    vec3 position;                  // relative world space (origin at the camera), world units
+    vec3 position_dx;               // its change per pixel to the right
+    vec3 position_dy;               // its change per pixel downward
+    vec3 normal;                    // interpolated vertex normal, world axes, any length
+    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;                     // interpolated vertex colour, linear
+    float facing;                   // +1 on front faces, -1 on back faces
+    float time;                     // seconds
+    vec3 object_position;           // object space, object units
+    vec3 object_position_dx;        // its change per pixel to the right
+    vec3 object_position_dy;        // its change per pixel downward
+    vec3 world_position;            // absolute world space, world units
+    vec3 world_position_dx;         // its change per pixel to the right
+    vec3 world_position_dy;         // its change per pixel downward
+    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
+    vec2 uv0;                       // texture coordinate 0, t downward
+    vec2 uv0_dx;                    // its change per pixel to the right
+    vec2 uv0_dy;                    // its change per pixel downward
+    vec2 uv1;                       // texture coordinate 1, t downward
+    vec2 uv1_dx;                    // its change per pixel to the right
+    vec2 uv1_dy;                    // its change per pixel downward
+    vec2 uv2;                       // texture coordinate 2, t downward
+    vec2 uv2_dx;                    // its change per pixel to the right
+    vec2 uv2_dy;                    // its change per pixel downward
+    vec2 uv3;                       // texture coordinate 3, t downward
+    vec2 uv3_dx;                    // its change per pixel to the right
+    vec2 uv3_dy;                    // its change per pixel downward
+    vec2 uv4;                       // texture coordinate 4, t downward
+    vec2 uv4_dx;                    // its change per pixel to the right
+    vec2 uv4_dy;                    // its change per pixel downward
+    vec2 uv5;                       // texture coordinate 5, t downward
+    vec2 uv5_dx;                    // its change per pixel to the right
+    vec2 uv5_dy;                    // its change per pixel downward
+    vec2 uv6;                       // texture coordinate 6, t downward
+    vec2 uv6_dx;                    // its change per pixel to the right
+    vec2 uv6_dy;                    // its change per pixel downward
+    vec2 uv7;                       // texture coordinate 7, t downward
+    vec2 uv7_dx;                    // its change per pixel to the right
+    vec2 uv7_dy;                    // its change per pixel downward
+};
+
+struct SgMaterialResult {
+    vec3 normal;                    // resolved unit normal, world axes
+    vec3 base_color;                // linear
+    float metallic;                 // 0 to 1
+    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;                // 1: open
+    vec3 emission;                  // linear radiance
+    float opacity;                  // 0 to 1
+    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+};
+
+#endif
+
+struct SgMaterialParameters_custom {
+    float p_power;
+};
+
+SgMaterialResult sg_material_custom(SgMaterialInputs sg_inputs, SgMaterialParameters_custom sg_material, texture2D t_weave, texture2D t_pebble, sampler s_0) {
+    SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
+
+    // dents: custom
+    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), c_dents_custom(m_object, 3.0, sg_material.p_power));
+
+    vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
+
+    // dents: custom
+    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, -0.12 * m_dents_gradient_from_object);
+
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+
+    // weave: custom
+    SgUv m_weave_uv = sg_uv_transform(SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy), vec2(6.0, 4.0), 0.5235988, vec2(0.0));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes_custom(t_weave, s_0, m_weave_uv), sg_basis_uv(m_frame, m_weave_uv));
+
+    // stones: custom
+    vec3 m_stones_stones = c_stones_custom(m_frame, t_pebble, s_0, SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy), vec2(4.0, 2.0));
+    vec3 m_stones = 0.05 * m_stones_stones;
+
+    return SgMaterialResult(sg_resolve(m_base_normal, m_dents + m_weave + m_stones), vec3(0.5, 0.42, 0.33), 0.0, 0.6, 1.0, vec3(0.0), 1.0, 0.0);
+}
