@@ -165,6 +165,11 @@ Json textures_json(const ArtefactInput& input) {
                        {"green", t.facts.green_up ? "up" : "down"},
                        {"zero", t.facts.zero},
                        {"color_space", t.color_space == material::ColorSpace::srgb ? "srgb" : "linear"}});
+        if (t.facts.swizzle != layers::TextureFacts{}.swizzle) {
+            std::string letters;
+            for (std::uint32_t channel : t.facts.swizzle) letters += "rgba"[channel];
+            out.back()["swizzle"] = letters;
+        }
     }
     return out;
 }

@@ -189,6 +189,7 @@ Json texture_definition() {
                            {"anisotropy", {{"type", "integer"}, {"minimum", 1}, {"maximum", 16}}}});
     return object({{"file", {{"type", "string"}, {"minLength", 1}}},
                    {"encoding", words(ir::encoding_names())},
+                   {"swizzle", {{"type", "string"}, {"pattern", "^[rgba]{1,4}$"}}},
                    {"green", words(kGreen)},
                    {"zero", {{"enum", {127, 127.5, 128}}}},
                    {"range", number(1e-6, 128)},

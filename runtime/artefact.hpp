@@ -74,6 +74,7 @@ struct TextureSlot {
     std::uint32_t binding = 0;  // in set 1
     Encoding encoding = Encoding::plain;
     double zero = 127.5;
+    std::array<int, 4> channels{0, 1, 2, 3};  // of a normal: where x, y, z and the rest stand
     bool srgb = false;
     std::uint32_t sampler_binding = 0;  // in set 1: the sampler that it is read with
 };

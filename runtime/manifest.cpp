@@ -212,6 +212,24 @@ ParameterBlock read_block(const Node& node) {
     return block;
 }
 
+// The channels of x, y and, if stored, z as the letters say; the others behind them.
+std::array<int, 4> read_swizzle(const Node& node, TextureSlot::Encoding encoding) {
+    constexpr std::string_view kLetters = "rgba";
+    const std::string letters = node.text_or_empty();
+    std::vector<int> order;
+    const std::size_t stored = encoding == TextureSlot::Encoding::normal_xy ? 2 : 3;
+    bool good = letters.size() == 4 && letters.find_first_not_of(kLetters) == std::string::npos;
+    for (std::size_t i = 0; good && i < stored; ++i)
+        order.push_back(static_cast<int>(kLetters.find(letters[i])));
+    for (int c = 0; c < 4; ++c) {
+        if (std::find(order.begin(), order.end(), c) == order.end()) order.push_back(c);
+    }
+    if (!good) node.fail("must be four of the letters r, g, b and a");
+    if (encoding == TextureSlot::Encoding::plain || !good) return {0, 1, 2, 3};
+    if (order.size() != 4) node.fail("repeats a channel of a normal");
+    return {order[0], order[1], order[2], order[3]};
+}
+
 TextureSlot read_texture(const Node& node) {
     // The first two average slopes; all others mean what they say at every level.
     static constexpr std::array<std::string_view, 8> kEncodings = {"tangent_normal", "tangent_normal_xy",
@@ -227,6 +245,7 @@ TextureSlot read_texture(const Node& node) {
     if (encoding == 1) slot.encoding = TextureSlot::Encoding::normal_xy;
     if (slot.encoding != TextureSlot::Encoding::plain) slot.zero = node.at("zero").number(127, 128);
     slot.srgb = node.at("color_space").choice(kSpaces) == 1;
+    if (node.has("swizzle")) slot.channels = read_swizzle(node.at("swizzle"), slot.encoding);
     if (node.has("sampler_binding"))
         slot.sampler_binding = node.at("sampler_binding").integer(0, kMaxBinding);
     return slot;

@@ -64,12 +64,13 @@ Texel decode_texel(const Image& image, std::uint32_t x, std::uint32_t y, const M
         return raw;
     }
     const bool two_channels = rule.kind == MipRule::Kind::slopes_xy;
-    const double nx = decode(image.at(x, y, 0), rule.zero), ny = decode(image.at(x, y, 1), rule.zero);
+    const auto& [c_x, c_y, c_z, c_rest] = rule.channels;
+    const double nx = decode(image.at(x, y, c_x), rule.zero), ny = decode(image.at(x, y, c_y), rule.zero);
     const double nz = two_channels ? std::sqrt(std::max(1.0 - nx * nx - ny * ny, kLeastZSquared))
-                                   : decode(image.at(x, y, 2), rule.zero);
+                                   : decode(image.at(x, y, c_z), rule.zero);
     Texel texel = slopes_of(nx, ny, nz);
-    texel[2] = raw[2];
-    texel[3] = raw[3];
+    texel[2] = raw[static_cast<std::size_t>(c_z)];
+    texel[3] = raw[static_cast<std::size_t>(c_rest)];
     return texel;
 }
 
@@ -123,11 +124,12 @@ Level halve(std::uint32_t width, std::uint32_t height, Source source) {
 
 Image image_of(const Level& level, TexelFormat format, const MipRule& rule) {
     Image image = asset::make_image(level.width, level.height, format);
+    const std::array<int, 4> to = rule.kind == MipRule::Kind::color ? std::array{0, 1, 2, 3} : rule.channels;
     for (std::uint32_t y = 0; y < level.height; ++y) {
         for (std::uint32_t x = 0; x < level.width; ++x) {
             const Texel texel =
                 encode_texel(level.texels[static_cast<std::size_t>(y) * level.width + x], rule);
-            for (int c = 0; c < 4; ++c) image.set(x, y, c, texel[static_cast<std::size_t>(c)]);
+            for (std::size_t c = 0; c < 4; ++c) image.set(x, y, to[c], texel[c]);
         }
     }
     return image;

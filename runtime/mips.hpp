@@ -1,6 +1,7 @@
 // Mip chains that mean the right thing: colours average in linear light, normal maps average slopes.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "asset/image.hpp"
@@ -15,6 +16,7 @@ struct MipRule {
     bool srgb =
         false;  // color only: rgb is sRGB encoded and averages in linear light; alpha is always linear
     double zero = 127.5;  // slopes only: the 8-bit code that means 0, one of 127, 127.5 and 128
+    std::array<int, 4> channels{0, 1, 2, 3};  // slopes only: where x, y, z and the rest stand; all different
 };
 
 // Level 0 (returned untouched) down to 1x1, each level max(1, floor(n/2)) per side, box filtered with exact

@@ -11,6 +11,7 @@ MipRule mip_rule(const TextureSlot& slot) {
     MipRule rule;
     rule.srgb = slot.srgb;
     rule.zero = slot.zero;
+    rule.channels = slot.channels;
     switch (slot.encoding) {
         case TextureSlot::Encoding::plain:
             rule.kind = MipRule::Kind::color;

@@ -28,6 +28,7 @@ bool is_trivial(const Value& value) {
         case ir::Op::color:
         case ir::Op::zero_surfgrad:
         case ir::Op::gradient_from_world:
+        case ir::Op::swizzle:
         case ir::Op::channel_of:
         case ir::Op::rgb_of:
         case ir::Op::noise_value:
@@ -154,6 +155,11 @@ std::string Body::attribute(const Value& value) const {
         case Attribute::Channel:
         case Attribute::Axis:
             return std::string(1, "xyzw"[value.index]);
+        case Attribute::Swizzle: {
+            std::string letters;
+            for (std::uint32_t channel : ir::swizzle_channels(value.index)) letters += "xyzw"[channel];
+            return letters;
+        }
         case Attribute::Corner:
             return fmt::format("{}, {}", value.index < 2 ? "SG_RIGHT_HAND" : "SG_LEFT_HAND",
                                value.index % 2 == 0 ? "SG_UPPER_LEFT" : "SG_LOWER_LEFT");

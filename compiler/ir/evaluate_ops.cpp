@@ -124,6 +124,14 @@ Rows graph_rows() {
     return {
         Row{Op::pair, [](double x, double y) { return dvec2(x, y); }},
         Row{Op::drift, [](dvec2 start, dvec2 speed, double t) { return start + t * speed; }},
+        Row{Op::swizzle,
+            [](const Call& c, dvec4 texel) {
+                const auto from = swizzle_channels(c.value.index);
+                dvec4 out(0.0);
+                for (int i = 0; i < 4; ++i)
+                    out[i] = texel[static_cast<int>(from[static_cast<std::size_t>(i)])];
+                return out;
+            }},
         Row{Op::channel, [](const Call& c, dvec4 texel) { return texel[static_cast<int>(c.value.index)]; }},
         Row{Op::channel_of,
             [](const Call& c, dvec4 color) { return color[static_cast<int>(c.value.index)]; }},

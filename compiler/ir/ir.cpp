@@ -99,6 +99,13 @@ std::string shader_prefix(std::size_t shader) {
     return shader == 0 ? "c_" : "c" + std::to_string(shader + 1) + "_";
 }
 
+std::array<std::uint32_t, 4> swizzle_channels(std::uint32_t swizzle) {
+    return {swizzle & 3u, swizzle >> 2u & 3u, swizzle >> 4u & 3u, swizzle >> 6u & 3u};
+}
+std::uint32_t swizzle_of(const std::array<std::uint32_t, 4>& channels) {
+    return channels[0] | channels[1] << 2u | channels[2] << 4u | channels[3] << 6u;
+}
+
 std::vector<std::uint32_t> textures_of(const Module& module, const Value& value) {
     std::vector<std::uint32_t> out;
     Attribute attribute = info(value.op).attribute;

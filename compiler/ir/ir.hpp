@@ -51,6 +51,7 @@ enum class Attribute : std::uint8_t {
     Channel,
     Axis,
     Corner,
+    Swizzle,
     Function
 };
 // Whether Value::index holds the attribute.
@@ -189,6 +190,10 @@ struct Module {
     [[nodiscard]] const Value& at(ValueId id) const { return values[id.index]; }
     [[nodiscard]] ValueId output(Output which) const;  // invalid if absent
 };
+
+// Attribute Swizzle: which channel stands in the place of each.
+std::array<std::uint32_t, 4> swizzle_channels(std::uint32_t swizzle);
+std::uint32_t swizzle_of(const std::array<std::uint32_t, 4>& channels);
 
 // The textures that a value reads: each by its number.
 std::vector<std::uint32_t> textures_of(const Module& module, const Value& value);

@@ -72,6 +72,9 @@ struct Verifier {
             case Attribute::Corner:
                 below(value, 4, "channel or corner", where);
                 break;
+            case Attribute::Swizzle:
+                below(value, 256, "swizzle", where);
+                break;
             case Attribute::Axis:
                 below(value, 3, "axis", where);
                 break;

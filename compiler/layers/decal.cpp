@@ -116,7 +116,7 @@ ValueId coverage(LowerContext& context, FieldValues values, ValueId decal) {
     if (values[kAngleFade].given) narrow(angle_fade(context, values));
     if (values[kCutout].given) {
         ValueId uv = builder.add(Op::decal_uv, {decal});
-        ValueId texel = builder.add_indexed(Op::sample, values[kCutout].index, {uv}, "cutout");
+        ValueId texel = context.texel({values[kCutout].index}, uv, "cutout");
         narrow(builder.add_indexed(Op::channel, 0, {texel}));
     }
     return out;
@@ -141,7 +141,7 @@ ValueId lower_mask(LowerContext& context, FieldValues values) {
 ValueId lower_color(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     ValueId uv = builder.add(Op::decal_uv, {decal_at(context, values.subspan(kBehindImage))});
-    return builder.add(Op::rgb, {builder.add_indexed(Op::sample, values[kImage].index, {uv}, "texel")});
+    return builder.add(Op::rgb, {context.texel({values[kImage].index}, uv)});
 }
 
 template <std::size_t first>

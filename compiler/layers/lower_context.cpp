@@ -223,11 +223,18 @@ ValueId LowerContext::basis_of(const MapPlace& place) {
                                       : builder_.add(Op::basis_uv, {frame(), place.uv}, "basis");
 }
 
+ValueId LowerContext::texel(ir::TextureId texture, ValueId uv, std::string name) {
+    ValueId stored = builder_.add_indexed(Op::sample, texture.index, {uv}, std::move(name));
+    const TextureFacts& f = facts_[texture.index];
+    if (f.swizzle == TextureFacts{}.swizzle) return stored;
+    return builder_.add_indexed(Op::swizzle, ir::swizzle_of(f.swizzle), {stored});
+}
+
 ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
     using enum ir::TextureEncoding;
     const TextureFacts& f = facts_[texture.index];
     ir::TextureEncoding encoding = builder_.module().textures[texture.index].encoding;
-    ValueId texel = builder_.add_indexed(Op::sample, texture.index, {uv}, "texel");
+    ValueId texel = this->texel(texture, uv);
     ValueId deriv;
     if (encoding == derivative) {
         deriv = builder_.add_zero(Op::decode_derivative, f.zero, {texel, constant(f.range)}, "deriv");

@@ -13,8 +13,9 @@ namespace sg::layers {
 // How a texture stores what its encoding says.
 struct TextureFacts {
     bool green_up = true;
-    double zero = 127.5;  // the 8-bit code that means 0: 127, 127.5 or 128
-    double range = 1;     // of a derivative map: the slope that 1 means
+    double zero = 127.5;                               // the 8-bit code that means 0: 127, 127.5 or 128
+    double range = 1;                                  // of a derivative map: the slope that 1 means
+    std::array<std::uint32_t, 4> swizzle{0, 1, 2, 3};  // which stored channel stands for r, g, b and a
 };
 
 // A node of the material's graph with its checked values.
@@ -63,6 +64,8 @@ public:
     // A map on a uv set, with tiling. The basis comes from `basis_of` the place.
     MapPlace place_map(const Coordinate& coordinate, const FieldValue& tiling, bool from_vertex);
     ir::ValueId basis_of(const MapPlace& place);
+    // A texture read with its channels in the order that its encoding expects.
+    ir::ValueId texel(ir::TextureId texture, ir::ValueId uv, std::string name = "texel");
     // The derivative that a map of tangent normals or derivatives stores at a coordinate, along +s and +t.
     ir::ValueId map_deriv(ir::TextureId texture, ir::ValueId uv);
     [[nodiscard]] const TextureFacts& facts(ir::TextureId texture) const { return facts_[texture.index]; }

@@ -75,7 +75,7 @@ ValueId tiled_uv(LowerContext& context, const FieldValue& uv, const FieldValue& 
 
 ValueId texel(LowerContext& context, FieldValues values) {
     ValueId uv = tiled_uv(context, values[1], values[2]);
-    return context.builder().add_indexed(Op::sample, values[0].index, {uv}, "texel");
+    return context.texel({values[0].index}, uv);
 }
 
 ValueId texture(LowerContext& context, FieldValues values) {

@@ -12,8 +12,7 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::TextureId texture{values[kTexture].index};
     bool object = builder.module().textures[texture.index].encoding == ir::TextureEncoding::object_normal;
     ir::ValueId n = context.normal();
-    ir::ValueId texel =
-        builder.add_indexed(ir::Op::sample, texture.index, {context.uv(values[kUv].uv)}, "texel");
+    ir::ValueId texel = context.texel(texture, context.uv(values[kUv].uv));
     ir::ValueId stored = builder.add_zero(object ? ir::Op::decode_object_normal : ir::Op::decode_world_normal,
                                           context.facts(texture).zero, {texel}, "stored_normal");
     if (object) stored = builder.add(ir::Op::normal_from_object, {stored}, "stored_normal");

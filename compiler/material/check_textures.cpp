@@ -83,6 +83,51 @@ std::optional<std::string> Checker::file_below_roots(const std::string& file, co
     return std::nullopt;
 }
 
+// How many channels an encoding has; 0: it cannot be swizzled, for what reads it gathers texels of red.
+std::size_t channel_count(ir::TextureEncoding encoding) {
+    switch (encoding) {
+        case tangent_normal:
+        case object_normal:
+        case world_normal:
+        case color:
+            return 3;
+        case tangent_normal_xy:
+        case derivative:
+            return 2;
+        case mask:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+// Where the channels stand, as in "ag" for what DXT5nm keeps.
+void Checker::swizzle(const TextureDecl& decl, layers::TextureFacts& facts) {
+    constexpr std::string_view kLetters = "rgba";
+    const std::string& written = decl.swizzle.value;
+    if (decl.swizzle.at.pointer.empty() || decl.faulty) return;
+    std::string_view encoding = ir::encoding_name(decl.encoding);
+    std::size_t count = channel_count(decl.encoding);
+    if (count == 0) {
+        error(Code::unused_setting, decl.swizzle.at,
+              fmt::format("'swizzle' means nothing for the encoding '{}', which is read from red", encoding));
+        return;
+    }
+    bool any_length = decl.encoding == mask;
+    bool good = any_length ? !written.empty() && written.size() <= count : written.size() == count;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        std::size_t channel = kLetters.find(written[i]);
+        bool again = !any_length && written.find(written[i]) != i;
+        good = good && channel != kLetters.npos && !again;
+        if (good) facts.swizzle[i] = static_cast<std::uint32_t>(channel);
+    }
+    if (good) return;
+    error(Code::unknown_choice, decl.swizzle.at,
+          fmt::format("'swizzle' is '{}', expected {} of the letters r, g, b and a for the encoding '{}'",
+                      printable(written), any_length ? "1 to 4" : fmt::format("{} different ones", count),
+                      encoding));
+}
+
 // Settings that mean nothing for the encoding, and colour spaces that would bend data.
 void Checker::texture_settings(const TextureDecl& decl) {
     std::string_view encoding = ir::encoding_name(decl.encoding);
@@ -108,12 +153,14 @@ void Checker::textures() {
         const TextureDecl& decl = in.textures[i];
         if (!decl.faulty) texture_settings(decl);
         ColorSpace natural = decl.encoding == color ? ColorSpace::srgb : ColorSpace::linear;
-        CheckedTexture texture{.name = decl.name.value,
-                               .file = decl.file.value,
-                               .encoding = decl.encoding,
-                               .facts = {decl.green_up.value, decl.zero.value, decl.range.value},
-                               .color_space = decl.color_space ? decl.color_space->value : natural,
-                               .sampler = decl.sampler};
+        CheckedTexture texture{
+            .name = decl.name.value,
+            .file = decl.file.value,
+            .encoding = decl.encoding,
+            .facts = {decl.green_up.value, decl.zero.value, decl.range.value, {0, 1, 2, 3}},
+            .color_space = decl.color_space ? decl.color_space->value : natural,
+            .sampler = decl.sampler};
+        swizzle(decl, texture.facts);
         if (!decl.file.value.empty()) {
             if (auto bytes = file_below_roots(decl.file.value, decl.file.at))
                 texture.hash = content_hash(*bytes);

@@ -45,8 +45,8 @@ struct CheckedLayer {
 struct CheckedShader {
     std::string file;  // as written
     SourcePtr source;
-    std::string hash;  // of its bytes
-    std::string text;  // under names that collide with nothing; empty until it was verified
+    std::string hash;                // of its bytes
+    std::string text;                // under names that collide with nothing; empty until it was verified
     std::vector<std::string> names;  // those
 };
 

@@ -62,6 +62,7 @@ struct Checker {
     void textures();
     std::vector<bool> used_textures() const;
     void texture_settings(const TextureDecl& decl);
+    void swizzle(const TextureDecl& decl, layers::TextureFacts& facts);
 };
 
 // A fault of fields that are each valid alone.

@@ -57,6 +57,7 @@ struct TextureDecl {
     Located<bool> green_up{true, {}};
     Located<double> zero{127.5, {}};
     Located<double> range{1, {}};
+    Located<std::string> swizzle;  // "" when not given
     std::optional<Located<ColorSpace>> color_space;
     SamplerDecl sampler;
     bool faulty = false;  // its encoding was reported

@@ -53,14 +53,16 @@ SamplerDecl Reader::sampler(const Value& value, const std::string& pointer) {
 }
 
 void Reader::texture(const json::Member& member, const std::string& pointer) {
-    ObjectReader reader = object(member.value, pointer, "a texture",
-                                 {"file", "encoding", "green", "zero", "range", "color_space", "sampler"});
+    ObjectReader reader =
+        object(member.value, pointer, "a texture",
+               {"file", "encoding", "swizzle", "green", "zero", "range", "color_space", "sampler"});
     TextureDecl decl{.name = {member.key, {member.key_span, pointer}}};
     auto place = [&](std::string_view key) { return reader.at(key, *reader.get(key)); };
     if (auto file = reader.string("file", true)) decl.file = {*file, place("file")};
     auto encoding = reader.choice("encoding", ir::encoding_names(), true);
     decl.encoding = static_cast<ir::TextureEncoding>(encoding.value_or(0));
     decl.faulty = !encoding;
+    if (auto swizzle = reader.string("swizzle")) decl.swizzle = {*swizzle, place("swizzle")};
     if (auto green = reader.choice("green", {"up", "down"})) decl.green_up = {*green == 0, place("green")};
     if (auto zero = reader.one_of_numbers("zero", {127, 127.5, 128})) decl.zero = {*zero, place("zero")};
     if (auto range = reader.number("range", {1e-6, 128})) decl.range = {*range, place("range")};

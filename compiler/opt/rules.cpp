@@ -38,6 +38,15 @@ ValueId resolve_nothing(Rewriter& rewriter, const Value& value) {
     return rewriter.operand(value, 1, Op::zero_surfgrad) ? value.operands[0] : ValueId{};
 }
 
+ValueId channel_by_its_name(Rewriter& rewriter, const Value& value) {
+    const Value* swizzled = rewriter.operand(value, 0, Op::swizzle);
+    if (!swizzled) return {};
+    Value direct = value;
+    direct.index = ir::swizzle_channels(swizzled->index)[value.index];
+    direct.operands = swizzled->operands;
+    return rewriter.add(std::move(direct));
+}
+
 ValueId positive_tiling_shares_basis(Rewriter& rewriter, const Value& value) {
     const Value* scaled = rewriter.operand(value, 1, Op::uv_scale);
     if (!scaled || !is_positive_pair(rewriter.operand(*scaled, 1, Op::constant))) return {};
@@ -233,6 +242,10 @@ std::span<const Rule> all_rules() {
          "projection is linear: a mix of two volume bumps is projected once",
          {mix_surfgrad},
          mix_before_projection},
+        {"channel_by_its_name",
+         "a channel of a texel in another order is a channel of the texel",
+         {channel},
+         channel_by_its_name},
         {"fold_numbers",
          "what is known now need not be computed for every pixel",
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},

@@ -11,7 +11,7 @@
 namespace sg::samples {
 namespace {
 
-constexpr std::array<TextureRecipe, 10> kRecipes{{
+constexpr std::array<TextureRecipe, 11> kRecipes{{
     {"brick_normal.png", 256, brick_height, false, true, 127.5},
     {"scratch_normal_xy.png", 256, scratch_height, true, false, 127.5},
     {"weave_normal.png", 128, weave_height, false, false, 128.0},
@@ -19,6 +19,7 @@ constexpr std::array<TextureRecipe, 10> kRecipes{{
     {"pebble_normal.png", 256, pebble_height, false, true, 127.0},
     {"pebble_height.png", 128, pebble_height, false, true, 127.5, Content::height, 0.0, 0.04},
     {"weave_derivative.png", 128, weave_height, true, false, 127.5, Content::derivative, 0.0, 4.0},
+    {"weave_packed.png", 128, weave_height, true, false, 127.5, Content::packed, 0.0, 0.04},
     {"moss_mask.png", 64, pebble_height, false, true, 127.5, Content::mask},
     {"stone_color.png", 128, pebble_height, false, true, 127.5, Content::color, 0.0, 0.036},
     {"pebble_sphere_object.png", 128, pebble_height, false, true, 127.5, Content::object_normal},
@@ -94,6 +95,7 @@ Rgb sphere_texel(const TextureRecipe& recipe, double s, double t, double texel) 
 Rgb texel_of(const TextureRecipe& recipe, double s, double t, double texel) {
     switch (recipe.content) {
         case Content::normal:
+        case Content::packed:
             break;
         case Content::height: {
             const double h = (recipe.height(s, t) - recipe.low) / (recipe.high - recipe.low);
@@ -111,6 +113,13 @@ Rgb texel_of(const TextureRecipe& recipe, double s, double t, double texel) {
     return normal_texel(recipe, s, t, texel);
 }
 
+// Four things in one texture.
+std::array<double, 4> packed_texel(const TextureRecipe& recipe, double s, double t, double texel) {
+    const Rgb normal = normal_texel(recipe, s, t, texel);
+    const double rise = (recipe.height(s, t) - recipe.low) / (recipe.high - recipe.low);
+    return {mask_texel(s, t)[0], normal[1], clamp01(rise), normal[0]};
+}
+
 }  // namespace
 
 std::span<const TextureRecipe> texture_recipes() {
@@ -125,6 +134,9 @@ std::string make_texture(const TextureRecipe& recipe) {
             const Rgb rgb = texel_of(recipe, (x + 0.5) * texel, (y + 0.5) * texel, texel);
             for (int c = 0; c < 3; ++c) image.set(x, y, c, rgb[static_cast<std::size_t>(c)]);
             image.set(x, y, 3, 1.0);
+            if (recipe.content != Content::packed) continue;
+            const auto four = packed_texel(recipe, (x + 0.5) * texel, (y + 0.5) * texel, texel);
+            for (int c = 0; c < 4; ++c) image.set(x, y, c, four[static_cast<std::size_t>(c)]);
         }
     }
     return asset::png_bytes(image);

@@ -10,11 +10,13 @@ namespace sg::samples {
 
 // What the texels hold.
 enum class Content {
-    normal,         // tangent-space normals of the height
-    height,         // the height, from `low` to `high` over 0..1, in all channels
-    derivative,     // the derivative of the height, `high` over 1, in red and green
-    mask,           // 0 or 1 with soft borders, by a smooth noise of its own
-    color,          // sRGB: dark where the height is low
+    normal,      // tangent-space normals of the height
+    height,      // the height, from `low` to `high` over 0..1, in all channels
+    derivative,  // the derivative of the height, `high` over 1, in red and green
+    mask,        // 0 or 1 with soft borders, by a smooth noise of its own
+    color,       // sRGB: dark where the height is low
+    packed,      // a normal's x in alpha and y in green, as DXT5nm keeps them; the mask in red, the height in
+                 // blue
     object_normal,  // object-space normals of the built-in sphere, displaced by the height (4 by 2 tiles over
                     // it)
 };
@@ -32,7 +34,7 @@ struct TextureRecipe {
 };
 std::span<const TextureRecipe> texture_recipes();
 
-// 8-bit RGBA PNG, alpha 255; the same bytes on every machine.
+// 8-bit RGBA PNG, alpha 255 unless packed; the same bytes on every machine.
 std::string make_texture(const TextureRecipe& recipe);
 
 }  // namespace sg::samples

@@ -158,7 +158,10 @@ TEST(OptimiserMeaning, RandomModulesVerify) {
         ASSERT_EQ(ir::verify(module), "") << ir::print(module);
         for (const ir::Value& value : module.values) ++seen[value.op];
     }
-    for (const ir::OpInfo& op : ir::all_ops()) EXPECT_GT(seen[op.op], 0u) << op.name << " is never generated";
+    for (const ir::OpInfo& op : ir::all_ops()) {
+        if (op.attribute == ir::Attribute::Function) continue;  // they have no reference
+        EXPECT_GT(seen[op.op], 0u) << op.name << " is never generated";
+    }
 }
 
 TEST(OptimiserMeaning, StaysWithAllRulesAndWithoutEach) {

@@ -99,6 +99,9 @@ private:
             case ir::Attribute::Count:
                 value.index = static_cast<std::uint32_t>(below(4)) + 1;
                 break;
+            case ir::Attribute::Swizzle:
+                value.index = static_cast<std::uint32_t>(below(256));
+                break;
             case ir::Attribute::Channel:
             case ir::Attribute::Corner:
                 value.index = static_cast<std::uint32_t>(below(4));

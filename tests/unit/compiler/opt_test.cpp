@@ -37,6 +37,8 @@ const RuleCase kCases[] = {
      "SurfGrad\n"
      "%11 = scale_surfgrad %8 %10 : SurfGrad\noutput gradient = %11\n",
      "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
+    {"channel_by_its_name", "%8 = swizzle 27 %5 : Texel\n%9 = channel 0 %8 : Scalar\noutput metallic = %9\n",
+     "%0 = uv_set 0 : Uv\n%1 = sample 0 %0 : Texel\n%2 = channel 3 %1 : Scalar\noutput metallic = %2\n"},
     {"scale_to_nothing",
      "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = facing : Scalar\n"
      "%11 = mask_surfgrad %9 %10 : SurfGrad\n%12 = scale_surfgrad %8 %11 : SurfGrad\noutput gradient = "
@@ -184,6 +186,22 @@ TEST(Opt, WhatNoLayerNeedsIsNotShown) {
     EXPECT_EQ(
         optimised(text),
         kTexture + "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n");
+}
+
+// Two channels of one texture, each read by a node of its own; the third coordinate is another.
+TEST(Optimise, ReadsATextureOncePerCoordinate) {
+    EXPECT_EQ(
+        optimised("texture 0 \"t\" mask\n"
+                  "%0 = uv_set 0 : Uv\n%1 = constant 3 3 : Vec2\n%2 = uv_scale %0 %1 : Uv\n"
+                  "%3 = sample 0 %2 : Texel 'first'\n%4 = channel 0 %3 : Scalar\n"
+                  "%5 = constant 3 3 : Vec2\n%6 = uv_scale %0 %5 : Uv\n%7 = sample 0 %6 : Texel 'second'\n"
+                  "%8 = channel 1 %7 : Scalar\n%9 = sample 0 %0 : Texel\n%10 = channel 1 %9 : Scalar\n"
+                  "output metallic = %4\noutput roughness = %8\noutput occlusion = %10\n"),
+        "texture 0 \"t\" mask\n"
+        "%0 = uv_set 0 : Uv\n%1 = constant 3 3 : Vec2\n%2 = uv_scale %0 %1 : Uv\n"
+        "%3 = sample 0 %2 : Texel 'first'\n%4 = channel 0 %3 : Scalar\n%5 = channel 1 %3 : Scalar\n"
+        "%6 = sample 0 %0 : Texel\n%7 = channel 1 %6 : Scalar\n"
+        "output metallic = %4\noutput roughness = %5\noutput occlusion = %7\n");
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// four things in one texture: fragment shader of the entry point 'forward', made by surfgradc.
+
+#include "stage/forward.glsl"
+#include "stage/fragment.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_weave;
+layout(set = 1, binding = 2) uniform texture2D t_paint;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_color;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // weave: normal_map
+    SgUv m_weave_uv = sg_uv_scale(m_uv0, vec2(6.0, 3.0));
+    vec2 m_weave_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_uv).wyzw.xy, 127.5));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.7 * m_weave_deriv, sg_basis_uv(m_frame, m_uv0));
+
+    vec4 m_texel = sg_sample(t_paint, s_0, m_weave_uv);
+    float m_painted = m_texel.x;
+    vec3 m_mix_color = mix(mix(vec3(0.1, 0.07, 0.05), vec3(0.55, 0.42, 0.3), m_texel.z), vec3(0.08, 0.2, 0.45), m_painted);
+    SgSurface sg_surface = SgSurface(m_mix_color, 0.0, m_painted * -0.5 + 0.85, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_weave));
+    sg_out_color = vec4(sg_radiance, 1.0);
+}
