@@ -6,7 +6,7 @@
 #include "surfgrad/deriv.glsl"
 
 // The sum of two bumps.
-//   a, b: surface gradients of one frame. Result: commutative, associative up to rounding. Cost: 3 instructions.
+//   a, b: surface gradients of one frame. Result: commutative, associative up to rounding. Cost: 4 instructions.
 //   Source: Eq 14.
 vec3 sg_combine_add(vec3 a, vec3 b) { return a + b; }
 
@@ -16,12 +16,13 @@ vec3 sg_combine_scale(vec3 g, float strength) { return strength * g; }
 
 // A bump under a mask.
 //   g: surface gradient; mask: 0..1. Result: mask * g; exactly 0 where the mask is 0 (or not a number), even if g is
-//   endless or not a number there. Cost: 7 instructions.
+//   endless or not a number there. Cost: 7 instructions. Source: Eq 13 and 14.
 vec3 sg_combine_mask(vec3 g, float mask) { return mask > 0.0 ? mask * g : vec3(0.0); }
 
 // From one bump to another.
 //   a, b: surface gradients of one frame; t: 0..1, values outside count as the nearer end.
-// Result: linear between; exactly a at 0 and b at 1, whatever the other is there. Cost: about 17 instructions.
+// Result: linear between; exactly a at 0 and b at 1, whatever the other is there. Cost: 17 instructions.
+// Source: Eq 13 and 14.
 vec3 sg_combine_mix(vec3 a, vec3 b, float t) {
     vec3 between = a * (1.0 - t) + b * t;
     vec3 upper = t < 1.0 ? between : b;
@@ -35,27 +36,27 @@ struct SgDerivPair {
 };
 
 // "Partial derivatives": the sum of the bumps of two tangent-space normals.
-//   a, b: any length, z > 0. Result: unit; commutative. Cost: about 26 instructions. Source: section 4.2.
+//   a, b: any length, z > 0. Result: unit; commutative. Cost: 26 instructions. Source: section 4.2.
 vec3 sg_combine_pd(vec3 a, vec3 b) {
     return sg_normal_from_deriv(sg_deriv_from_normal_xyz(a) + sg_deriv_from_normal_xyz(b));
 }
 
 // "Whiteout": normalize(a.x + b.x, a.y + b.y, a.z b.z), as two derivatives that may belong to two uv sets.
-//   a, b: unit, z > 0. Result: each component within 128. Cost: about 23 instructions. Source: Table 1.
+//   a, b: unit, z > 0. Result: each component within 128. Cost: 23 instructions. Source: Table 1.
 SgDerivPair sg_combine_whiteout(vec3 a, vec3 b) {
     float z = a.z * b.z;
     return SgDerivPair(sg_deriv_from_normal_xyz(vec3(a.xy, z)), sg_deriv_from_normal_xyz(vec3(b.xy, z)));
 }
 
 // "UDN": normalize(a.x + b.x, a.y + b.y, a.z), as two derivatives that may belong to two uv sets.
-//   a, b: unit, z > 0; b flattens where a is steep. Result: each component within 128. Cost: about 22 instructions.
+//   a, b: unit, z > 0; b flattens where a is steep. Result: each component within 128. Cost: 22 instructions.
 //   Source: Table 1.
 SgDerivPair sg_combine_udn(vec3 a, vec3 b) {
     return SgDerivPair(sg_deriv_from_normal_xyz(a), sg_deriv_from_normal_xyz(vec3(b.xy, a.z)));
 }
 
 // "Reoriented normal mapping": b turned by the rotation that takes (0, 0, 1) to a. Two maps on one uv set.
-//   a, b: unit; a.z < 0 counts as |a.z|. Result: unit; may face inward where both are steep. Cost: about 12 instructions.
+//   a, b: unit; a.z < 0 counts as |a.z|. Result: unit; may face inward where both are steep. Cost: 11 instructions.
 //   Source: Eq 18.
 vec3 sg_combine_rnm(vec3 a, vec3 b) {
     vec3 t = vec3(a.xy, abs(a.z) + 1.0);
@@ -64,14 +65,14 @@ vec3 sg_combine_rnm(vec3 a, vec3 b) {
 }
 
 // The normal of the weighted sum of two heights.
-//   a, b: any length, z > 0; weights: of a and b, any. Result: unit, z > 0. Cost: about 29 instructions.
+//   a, b: any length, z > 0; weights: of a and b, any. Result: unit, z > 0. Cost: 29 instructions.
 //   Source: Lengyel 7.46.
 vec3 sg_combine_weighted(vec3 a, vec3 b, vec2 weights) {
     return sg_normal_from_deriv(weights.x * sg_deriv_from_normal_xyz(a) + weights.y * sg_deriv_from_normal_xyz(b));
 }
 
 // The normal of the sum of two heights, without a division.
-//   a, b: any length; z >= 0. Result: unit, z >= 0; (0, 0, 1) where both are exactly level. Cost: about 17 instructions.
+//   a, b: any length; z >= 0. Result: unit, z >= 0; (0, 0, 1) where both are exactly level. Cost: 17 instructions.
 //   Source: Lengyel 7.47.
 vec3 sg_combine_additive(vec3 a, vec3 b) {
     vec3 sum = vec3(b.z * a.xy + a.z * b.xy, a.z * b.z);

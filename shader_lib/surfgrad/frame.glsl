@@ -14,13 +14,13 @@ struct SgFrame {
 };
 
 // The part of v perpendicular to n.
-//   v: any; n: unit, same space. Result: |dot(result, n)| within rounding of |v|. Cost: 6 instructions. Source: Eq 6.
+//   v: any; n: unit, same space. Result: |dot(result, n)| within rounding of |v|. Cost: 7 instructions. Source: Eq 6.
 vec3 sg_reject(vec3 v, vec3 n) { return v - dot(v, n) * n; }
 
 // A whole frame from the position, any two screen derivatives of it and the unit normal.
 //   position, dpdx, dpdy: one shading space, world units, of the surface before displacement; n: unit.
 // Result: sigma_x and sigma_y are perpendicular to n; flip_sign is -1 or +1, also for NaN.
-// Cost: about 34 instructions. Source: Listing 9.
+// Cost: 34 instructions. Source: Listing 9.
 SgFrame sg_frame(vec3 position, vec3 dpdx, vec3 dpdy, vec3 n) {
     float sign_dp = dot(dpdy, cross(n, dpdx)) < 0.0 ? -1.0 : 1.0;
     return SgFrame(position, n, dpdx, dpdy, sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp);
@@ -29,7 +29,7 @@ SgFrame sg_frame(vec3 position, vec3 dpdx, vec3 dpdy, vec3 n) {
 // The frame for bump mapping on top of a resolved normal, where the surface did not move (no parallax).
 //   frame: of the surface that was resolved; n: the resolved normal, unit.
 // Result: a new frame with the same position, dpdx, dpdy and geometric flip_sign; sigma is perpendicular to n.
-// Cost: about 21 instructions. Source: sections 3.7 and 4.6.
+// Cost: 21 instructions. Source: sections 3.7 and 4.6.
 SgFrame sg_frame_resolved(SgFrame frame, vec3 n) {
     return SgFrame(frame.position, n, frame.dpdx, frame.dpdy, sg_reject(frame.dpdx, n), sg_reject(frame.dpdy, n),
                    frame.flip_sign);
@@ -37,7 +37,8 @@ SgFrame sg_frame_resolved(SgFrame frame, vec3 n) {
 
 // The unit base normal from the interpolated, unnormalised vertex normal.
 //   vertex_normal: any length from 1e-15 to 1e15.
-// Result: unit for every input: a zero, endless or not-a-number vector gives (0, 0, 1). Cost: about 15 instructions.
+// Result: unit for every input: a zero, endless or not-a-number vector gives (0, 0, 1). Cost: 15 instructions.
+// Source: Listing 9.
 vec3 sg_base_normal(vec3 vertex_normal) {
     float square = dot(vertex_normal, vertex_normal);
     bool usable = square > 1e-30 && square < 1e30;

@@ -9,7 +9,7 @@
 // The surface gradient of a height from its change over the screen.
 //   frame: dpdx and dpdy before displacement; dh: (dH/dx, dH/dy), world units per pixel.
 // Result: g with dot(g, sigma_x) = dh.x, dot(g, sigma_y) = dh.y and dot(g, n) = 0; linear in dh; 0 where the pixel's
-// footprint has no area (|det| <= 1e-5 |dpdx||dpdy|). Cost: about 47 instructions. Source: Listing 6, Eq 7.
+// footprint has no area (|det| <= 1e-5 |dpdx||dpdy|). Cost: 51 instructions. Source: Listing 6, Eq 7.
 vec3 sg_surfgrad_from_screen_height(SgFrame frame, vec2 dh) {
     // dh.x cross(sigma_y, n) + dh.y cross(n, sigma_x) as one product: perpendicular to n, however much the sum cancels.
     vec3 level = sg_reject(dh.x * frame.dpdy - dh.y * frame.dpdx, frame.normal);
@@ -20,7 +20,7 @@ vec3 sg_surfgrad_from_screen_height(SgFrame frame, vec2 dh) {
 
 // The change of a height over the screen from its derivative in the texture.
 //   uv: the coordinate the derivative was read at; dim: texels of the texture; d: (dH/du, dH/dv) per texel.
-// Result: (dH/dx, dH/dy) per pixel, linear in d. Cost: about 10 instructions. Source: Listing 6, the chain rule.
+// Result: (dH/dx, dH/dy) per pixel, linear in d. Cost: 10 instructions. Source: Listing 6, the chain rule.
 vec2 sg_screen_height_from_deriv(SgUv uv, vec2 dim, vec2 d) {
     vec2 per_st = dim * d;
     return vec2(dot(per_st, uv.dx), dot(per_st, uv.dy));
@@ -28,7 +28,7 @@ vec2 sg_screen_height_from_deriv(SgUv uv, vec2 dim, vec2 d) {
 
 // The surface gradient of a height map or normal map as displacement.
 //   frame: dpdx and dpdy before displacement; uv, dim: as above; d: (dH/du, dH/dv), world units per texel.
-// Result: perpendicular to n; linear in d; independent of resolution and distance. Cost: about 55 instructions.
+// Result: perpendicular to n; linear in d; independent of resolution and distance. Cost: 61 instructions.
 // Source: Listing 6.
 vec3 sg_surfgrad_from_height(SgFrame frame, SgUv uv, vec2 dim, vec2 d) {
     return sg_surfgrad_from_screen_height(frame, sg_screen_height_from_deriv(uv, dim, d));
@@ -36,7 +36,7 @@ vec3 sg_surfgrad_from_height(SgFrame frame, SgUv uv, vec2 dim, vec2 d) {
 
 // The change of a height map over the screen, from three reads.
 //   height: red is the height; uv: with derivatives. Result: (dH/dx, dH/dy) per pixel, in units of the texel value.
-// Cost: 3 texture reads, about 15 instructions. Source: Listing 7.
+// Cost: 15 instructions, 3 texture reads among them. Source: Listing 7.
 vec2 sg_screen_height_three_tap(texture2D height, sampler filtering, SgUv uv) {
     float here = textureGrad(sampler2D(height, filtering), uv.st, uv.dx, uv.dy).x;
     float right = textureGrad(sampler2D(height, filtering), uv.st + uv.dx, uv.dx, uv.dy).x;

@@ -11,7 +11,7 @@ const float SG_HEIGHT_FADE_END = 0.5;
 // Forward difference over one texel of a level of detail.
 //   height: red is the height; st: normalised; level: of detail, values below 0 count as 0 (a step is never smaller
 //   than a texel, so that magnification shows no facets).
-// Result: (dH/du, dH/dv) per texel of level 0. Cost: 3 texture reads, about 41 instructions. Source: Listing 16.
+// Result: (dH/du, dH/dv) per texel of level 0. Cost: 41 instructions, 3 texture reads among them. Source: Listing 16.
 vec2 sg_deriv_from_height_level(texture2D height, sampler filtering, vec2 st, float level) {
     float used = max(level, 0.0);
     float texels = exp2(used);
@@ -22,7 +22,8 @@ vec2 sg_deriv_from_height_level(texture2D height, sampler filtering, vec2 st, fl
     return vec2(right - here, below - here) / texels;
 }
 
-// The same at the level of detail that uv's derivatives ask for. Cost: 3 texture reads, about 50 instructions.
+// The same at the level of detail that uv's derivatives ask for. Cost: 50 instructions, 3 texture reads among them.
+// Source: Listing 16.
 vec2 sg_deriv_from_height(texture2D height, sampler filtering, SgUv uv) {
     vec2 dim = vec2(textureSize(sampler2D(height, filtering), 0));
     return sg_deriv_from_height_level(height, filtering, uv.st, sg_uv_level(uv, dim));
@@ -31,7 +32,7 @@ vec2 sg_deriv_from_height(texture2D height, sampler filtering, SgUv uv) {
 // Sobel derivatives at the inner four of 4 x 4 heights, interpolated bilinearly.
 //   row_0 to row_3: heights from the top, each from the left; t: 0..1 within the inner four, x right, y down.
 // Result: (dH/du, dH/dv) per texel; exact for a height that is quadratic in u and in v; continuous across texels.
-// Cost: about 66 instructions. Source: Eq 20 and its counterpart for v.
+// Cost: 66 instructions. Source: Eq 20 and its counterpart for v.
 vec2 sg_deriv_from_heights_4x4(vec4 row_0, vec4 row_1, vec4 row_2, vec4 row_3, vec2 t) {
     vec2 s = 1.0 - t;
     // The interpolated Sobel kernels: smoothing (1 2 1)/4 and difference (-1 0 1)/2, along each axis.
@@ -47,7 +48,7 @@ vec2 sg_deriv_from_heights_4x4(vec4 row_0, vec4 row_1, vec4 row_2, vec4 row_3, v
 // The smooth derivative under magnification, from 4 x 4 texels of level 0.
 //   height: red is the height; st: normalised.
 // Result: as above. Every gather aims at the middle of its four texels, half a texel from any choice of them, so that
-// rounding of st cannot move it. Cost: 4 gathers, about 104 instructions. Source: Listing 16, second half.
+// rounding of st cannot move it. Cost: 104 instructions, 4 gathers among them. Source: Listing 16, second half.
 vec2 sg_deriv_from_height_smooth(texture2D height, sampler filtering, vec2 st) {
     vec2 dim = vec2(textureSize(sampler2D(height, filtering), 0));
     vec2 position = st * dim - 0.5;
@@ -72,8 +73,8 @@ float sg_height_smooth_weight(float level) {
 
 // The derivative of a height map in high quality: smooth under magnification, by mip levels else.
 //   height: red is the height; uv: with derivatives.
-// Result: (dH/du, dH/dv) per texel of level 0, continuous in st and in the footprint. Cost: 3 texture reads and up to 4
-// gathers, about 155 instructions. Source: Listing 16.
+// Result: (dH/du, dH/dv) per texel of level 0, continuous in st and in the footprint.
+// Cost: 155 instructions, 3 texture reads and up to 4 gathers among them. Source: Listing 16.
 vec2 sg_deriv_from_height_hq(texture2D height, sampler filtering, SgUv uv) {
     vec2 dim = vec2(textureSize(sampler2D(height, filtering), 0));
     float level = sg_uv_level(uv, dim);

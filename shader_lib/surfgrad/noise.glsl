@@ -12,12 +12,12 @@ struct SgNoise {
 const float SG_NOISE_MAX_SLOPE = 128.0;  // of f^k near f = 0
 
 // From a word that holds three neighbours of the permutation, P[2j], P[2j + 1], P[2j + 2], lowest byte first: P[i] in
-// bits 0-7 and P[i + 1] in bits 8-15, for i = 2j or 2j + 1. Cost: 3 instructions.
+// bits 0-7 and P[i + 1] in bits 8-15, for i = 2j or 2j + 1. Cost: 6 instructions. Source: Perlin 2002, the permutation.
 uint sg_perlin_pair(uint word, uint i) { return word >> (8u * (i & 1u)); }
 
 // One corner of a cell: xyz its gradient, w the height of its ramp at `offset` from it.
 //   hash: the low four bits choose one of sixteen directions to the edges of a cube, whose x, y and z stand here as
-//   signed numbers of two bits. Cost: 15 instructions.
+//   signed numbers of two bits. Cost: 17 instructions. Source: Perlin 2002, the twelve gradients.
 vec4 sg_perlin_corner(uint hash, vec3 offset) {
     uvec3 directions = uvec3(0x3100ddddu, 0xdddd00f5u, 0xc4f5f500u);
     vec3 gradient = vec3(ivec3(directions << (30u - 2u * (hash & 15u))) >> 30);
@@ -28,7 +28,7 @@ vec4 sg_perlin_corner(uint hash, vec3 offset) {
 //   p: any space, cells of size 1; precise while |p| < 2^23 resolves fractions of a cell.
 // Result: value in -1..1, zero at integer p; gradient is the exact derivative, continuous, |gradient| < 4; both repeat
 // after 256 cells along each axis; negative p is nothing special. Infinite or NaN p gives NaN, which a resolve rejects.
-// Cost: about 300 instructions, seven of them table reads.
+// Cost: 297 instructions, seven of them table reads. Source: Perlin 2002.
 SgNoise sg_noise_perlin(vec3 p) {
     // A local, for a constant global would be copied anew at every lookup by what compiles GLSL.
     uint words[128] = uint[128](
@@ -73,14 +73,15 @@ SgNoise sg_noise_perlin(vec3 p) {
 
 // How much of an octave remains: 1 while a pixel covers at most half a cell, 0 from one cell on, smooth between.
 //   footprint: of the pixel, in cells of the octave, >= 0. Cost: 4 instructions.
+//   Source: Perlin 1985, octaves end at the size of a pixel.
 float sg_octave_weight(float footprint) { return 1.0 - smoothstep(0.5, 1.0, footprint); }
 
 // Perlin's fractal sum: the octaves n(2^i p) / 2^i.
 //   p: cells of size 1 in the first octave; footprint: of the pixel in the space of p, >= 0 (sg_footprint);
 //   octaves: 0 to 20.
 // Result: |value| < 2; gradient exact (every octave adds as much slope as the first); octaves smaller than the
-// footprint are gone, and for a footprint of one cell or NaN the sum is 0. Cost: about 320 instructions per visible
-// octave.
+// footprint are gone, and for a footprint of one cell or NaN the sum is 0.
+// Cost: 334 instructions, nearly all of them once per visible octave. Source: Perlin 1985, fractal sum; section 3.6.
 SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
     SgNoise sum = SgNoise(0.0, vec3(0.0));
     float frequency = 1.0;
@@ -95,7 +96,7 @@ SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
 }
 
 // Perlin's turbulence: the octaves |n(2^i p)| / 2^i. Arguments as sg_noise_fractal_sum.
-// Cost: about 320 instructions per visible octave.
+// Cost: 338 instructions, nearly all of them once per visible octave. Source: Perlin 1985, turbulence; section 4.6.
 // Result: 0 <= value < 2; the gradient is exact but on the zeros of an octave, where the value has a corner and that
 // octave adds nothing. One evaluation: differences would take four and drown in rounding at fine steps.
 SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {
@@ -115,7 +116,7 @@ SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {
 //   f: clamped at 0 from below; k: >= 0 (1 changes nothing but the clamp).
 // Result: value >= 0; where f <= 0 all is 0; the slope k f^(k-1), infinite at 0 for k < 1, stays within
 // SG_NOISE_MAX_SLOPE.
-// Cost: 18 instructions, two powers among them. Source: Mikkelsen 2020, section 4.6 (Upstill's dented shader).
+// Cost: 20 instructions, two powers among them. Source: Mikkelsen 2020, section 4.6 (Upstill's dented shader).
 SgNoise sg_noise_power(SgNoise f, float k) {
     bool positive = f.value > 0.0;
     float base = positive ? f.value : 1.0;

@@ -22,7 +22,7 @@ struct SgParallax {
 //   frame: of the mesh; uv: its coordinate; direction: shading space, any length (towards the viewer: unit).
 // Result: xy: change of st along the direction's part in the plane of (dpdx, dpdy); z: its part along n. Linear in
 // direction; true to sheared and stretched coordinates. Edge-on, where dpdx and dpdy span no area, xy = 0.
-// Cost: about 45 instructions. Source: Listing 11.
+// Cost: 51 instructions. Source: Listing 11.
 vec3 sg_parallax_direction(SgFrame frame, SgUv uv, vec3 direction) {
     vec3 r1 = cross(frame.dpdy, frame.normal);
     vec3 r2 = cross(frame.normal, frame.dpdx);
@@ -40,7 +40,7 @@ vec2 sg_parallax_offset(vec3 view, float height) { return height * view.xy; }
 
 // What k steps with a parallax map multiply the unit tangent-space view by.
 //   scale: the height of value 1 in texels, as the map was made with; steps: k >= 1; dim: texels of the map.
-// Result: s / (2 k r), per axis. Cost: 6 instructions. Source: Lengyel, Eq 7.52.
+// Result: s / (2 k r), per axis. Cost: 9 instructions. Source: Lengyel, Eq 7.52.
 vec2 sg_parallax_scale(float scale, int steps, vec2 dim) { return scale / (2.0 * float(max(steps, 1)) * dim); }
 
 // k steps with a parallax map, which stores n_z (2h - 1) so that each step goes to the tangent plane of the surface
@@ -48,7 +48,8 @@ vec2 sg_parallax_scale(float scale, int steps, vec2 dim) { return scale / (2.0 *
 //   map: red; decode: signed value = decode.x * texel + decode.y ((1, 0) for signed formats, (2, -1) for unsigned);
 //   uv: of the mesh; stride: offset of st for the value 1, per step: view.xy times sg_parallax_scale, or
 //   view.xy * strength / (2 k) with view of sg_parallax_direction; steps: k, 0 to 64.
-// Result: offset of st, at most steps * |stride|. Cost: one texture read and 4 instructions per step.
+// Result: offset of st, at most steps * |stride|.
+// Cost: 29 instructions, one texture read and 4 instructions of them once per step.
 // Source: Lengyel, Eq 7.48 to 7.51, Listing 7.9.
 vec2 sg_parallax_steps(texture2D map, sampler filtering, vec2 decode, SgUv uv, vec2 stride, int steps) {
     vec2 offset = vec2(0.0);
@@ -59,7 +60,8 @@ vec2 sg_parallax_steps(texture2D map, sampler filtering, vec2 decode, SgUv uv, v
     return offset;
 }
 
-// The height above the mesh at a coordinate. heights: (scale, bias); level: of detail. Cost: one texture read.
+// The height above the mesh at a coordinate. heights: (scale, bias); level: of detail.
+// Cost: 6 instructions, one texture read among them. Source: section 4.3.
 float sg_parallax_height(texture2D map, sampler filtering, vec2 heights, vec2 st, float level) {
     return heights.y + heights.x * textureLod(sampler2D(map, filtering), st, level).x;
 }
@@ -70,7 +72,8 @@ float sg_parallax_height(texture2D map, sampler filtering, vec2 heights, vec2 st
 // Result: offset of st and height of the hit, refined linearly between the last two steps; a view at or below the
 // horizon counts as SG_PARALLAX_MIN_COSINE above it; without a hit (NaN texels) the bottom. Finite for finite
 // arguments.
-// Cost: one texture read and about 8 instructions per step, 30 more. Source: Brawley and Tatarchuk 2005; Listing 11.
+// Cost: 55 instructions, one texture read and about 8 instructions of them once per step.
+// Source: Brawley and Tatarchuk 2005; Listing 11.
 SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights, vec2 st, vec3 view, float level,
                                  int steps) {
     vec2 per_height = view.xy / max(view.z, SG_PARALLAX_MIN_COSINE);
@@ -95,7 +98,7 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
 // How many pixels away the mesh has the coordinate that an offset leads to.
 //   uv: of the mesh; offset: of st.
 //   Result: (right, down) in pixels; linear in offset; 0 where the coordinate is degenerate
-//   (|det| <= 1e-6 |dx||dy|). Cost: about 19 instructions. Source: Listing 12, first half.
+//   (|det| <= 1e-6 |dx||dy|). Cost: 21 instructions. Source: Listing 12, first half.
 vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));
@@ -105,7 +108,7 @@ vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
 
 // The corrected position.
 //   frame: of the mesh; pixels: of sg_parallax_pixels; height: along n, world units.
-// Result: shading space; moving by st along the mesh and by height along n. Cost: 6 instructions. Source: Listing 12.
+// Result: shading space; moving by st along the mesh and by height along n. Cost: 16 instructions. Source: Listing 12.
 vec3 sg_parallax_position(SgFrame frame, vec2 pixels, float height) {
     return frame.position + pixels.x * frame.sigma_x + pixels.y * frame.sigma_y + height * frame.normal;
 }
@@ -113,7 +116,7 @@ vec3 sg_parallax_position(SgFrame frame, vec2 pixels, float height) {
 // The base normal at the corrected position of a curved mesh.
 //   n: unit; dndx, dndy: its screen derivatives; pixels: of sg_parallax_pixels.
 // Result: unit; n itself where the correction leaves nothing to normalise.
-// Cost: about 17 instructions. Source: section 4.3.
+// Cost: 23 instructions. Source: section 4.3.
 vec3 sg_parallax_normal(vec3 n, vec3 dndx, vec3 dndy, vec2 pixels) {
     vec3 moved = n + pixels.x * dndx + pixels.y * dndy;
     float square = dot(moved, moved);
@@ -123,13 +126,13 @@ vec3 sg_parallax_normal(vec3 n, vec3 dndx, vec3 dndy, vec2 pixels) {
 
 // The coordinate for the mesh's other images: moved, its derivatives as they were.
 //   uv: of the mesh; offset: of st. Result: neighbouring pixels' hits take no part.
-//   Cost: 2 instructions. Source: section 4.3.
+//   Cost: 5 instructions. Source: section 4.3.
 SgUv sg_parallax_uv(SgUv uv, vec2 offset) { return SgUv(uv.st + offset, uv.dx, uv.dy); }
 
 // The coordinate for detail on the moved surface: any uv set, with the level of detail that the surface has there.
 //   frame, uv: of the mesh, uv of the wanted set; pixels: of sg_parallax_pixels (of the set that was marched);
 //   dpdx, dpdy: of the moved surface, analytic, its steps measured along the mesh.
-// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: about 61 instructions.
+// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: 71 instructions.
 // Source: sections 3.7 and 4.6.
 SgUv sg_parallax_detail_uv(SgFrame frame, SgUv uv, vec2 pixels, vec3 dpdx, vec3 dpdy) {
     vec2 st = uv.st + pixels.x * uv.dx + pixels.y * uv.dy;

@@ -15,7 +15,7 @@ struct SgBasis {
 // resolve equals normalize(m.x T + m.y B + m.z N).
 //   vertex_normal: interpolated, not normalised; vertex_tangent: interpolated xyz, w > 0 means B = +cross(N, T).
 // Result: T and B need not be unit nor perpendicular to n. A zero, endless or not-a-number normal gives T = B = 0.
-// Cost: about 32 instructions. Source: Listing 9.
+// Cost: 32 instructions. Source: Listing 9.
 SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
     float square = dot(vertex_normal, vertex_normal);
     float scale = square > 1e-30 && square < 1e30 ? inversesqrt(square) : 0.0;
@@ -30,7 +30,7 @@ SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
 // Result: orthonormal, perpendicular to frame.normal, T towards +s and B towards +t whatever the mirroring; T = B = 0
 // (no bump) where the coordinates are degenerate, |det| <= 1e-6 |dx||dy|, or the step along s is: without length, or
 // within 0.06 degrees of the normal, where rounding would decide its direction.
-// Cost: about 59 instructions. Source: Listing 4.
+// Cost: 70 instructions. Source: Listing 4.
 SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     float sign_det = det < 0.0 ? -1.0 : 1.0;
@@ -48,7 +48,7 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
 // A basis that is tangent to a new normal: vertex T and B after a resolve.
 //   basis: of the surface before; n: the resolved normal, unit.
 // Result: orthonormal and perpendicular to n; T keeps its direction on the surface, B its side; T = B = 0 where T is 0
-// or within 0.06 degrees of n. Cost: about 44 instructions. Source: section 4.6; Listing 4's last line.
+// or within 0.06 degrees of n. Cost: 44 instructions. Source: section 4.6; Listing 4's last line.
 SgBasis sg_basis_resolved(SgBasis basis, vec3 n) {
     vec3 along_s = sg_reject(basis.tangent, n);
     float square = dot(along_s, along_s);
@@ -60,7 +60,8 @@ SgBasis sg_basis_resolved(SgBasis basis, vec3 n) {
 }
 
 // The basis of a coordinate that is scaled by `scale`: positive factors change nothing, negative ones turn a vector.
-//   basis: of the unscaled coordinate. Result: vectors of the same length. Cost: about 17 instructions.
+//   basis: of the unscaled coordinate. Result: vectors of the same length. Cost: 17 instructions.
+//   Source: Listing 4's signs.
 SgBasis sg_basis_mirror(SgBasis basis, vec2 scale) {
     return SgBasis(scale.x < 0.0 ? -basis.tangent : basis.tangent,
                    scale.y < 0.0 ? -basis.bitangent : basis.bitangent);
@@ -69,7 +70,7 @@ SgBasis sg_basis_mirror(SgBasis basis, vec2 scale) {
 // The surface gradient of a derivative in a tangent frame.
 //   d: within 128; basis: T towards +s, B towards +t.
 // Result: linear in d; |dot(result, n)| <= |d| |dot(T, n)|, so within rounding of 0 for all but vertex bases.
-// Cost: about 10 instructions. Source: Eq 17, Listing 3.
+// Cost: 10 instructions. Source: Eq 17, Listing 3.
 vec3 sg_surfgrad_from_tbn(vec2 d, SgBasis basis) { return d.x * basis.tangent + d.y * basis.bitangent; }
 
 #endif

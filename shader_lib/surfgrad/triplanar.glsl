@@ -26,7 +26,7 @@ struct SgTriplanarUv {
 //   n: unit normal in the space of the lookup (of a later stage: the resolved one); k: >= 0, the sharpness of the
 //   transition, 0 shares equally among the planes within 78 degrees of facing.
 // Result: 0..1 each, sum 1, continuous in n for k > 0; never 0/0, also for huge k, and (0, 0, 1) where n is not a
-// number or zero. Cost: about 34 instructions, three powers among them. Source: Listing 14.
+// number or zero. Cost: 34 instructions, three powers among them. Source: Listing 14.
 vec3 sg_triplanar_weights(vec3 n, float k) {
     vec3 facing = abs(n) - 0.2;
     // The largest becomes 1, which no power takes below the smallest number.
@@ -41,7 +41,7 @@ vec3 sg_triplanar_weights(vec3 n, float k) {
 //   p, dpdx, dpdy: position in the space of the lookup and its screen derivatives, times the tiling; hand, origin:
 //   above.
 // Result: linear in p; nothing implicit, so that it is legal in branches.
-// Cost: 8 instructions where hand and origin are constant. Source: Eq 19.
+// Cost: 18 instructions (8 where hand and origin are constant). Source: Eq 19.
 SgTriplanarUv sg_triplanar_uv(vec3 p, vec3 dpdx, vec3 dpdy, float hand, float origin) {
     vec3 turn = vec3(1.0, origin, hand);
     vec2 along_y = vec2(1.0, origin * hand);
@@ -54,7 +54,7 @@ SgTriplanarUv sg_triplanar_uv(vec3 p, vec3 dpdx, vec3 dpdy, float hand, float or
 //   weights: of sg_triplanar_weights; d_x, d_y, d_z: what each image's derivative is, per unit of p's space; hand,
 //   origin: as in the lookup. A lookup with negative tiling needs d negated.
 // Result: linear in every d; the same for all four hands and origins of one bump in space. Weights count as constant.
-// Cost: 7 instructions where hand and origin are constant. Source: Listing 13.
+// Cost: 13 instructions (7 where hand and origin are constant). Source: Listing 13.
 vec3 sg_triplanar_gradient(vec3 weights, vec2 d_x, vec2 d_y, vec2 d_z, float hand, float origin) {
     float wx = weights.x, wy = weights.y, wz = weights.z;
     return vec3(wz * d_z.x + wy * d_y.x, origin * (wz * d_z.y + wx * d_x.y), hand * (wx * d_x.x + origin * wy * d_y.y));
@@ -62,7 +62,7 @@ vec3 sg_triplanar_gradient(vec3 weights, vec2 d_x, vec2 d_y, vec2 d_z, float han
 
 // One image projected along one axis: its coordinate.
 //   axis: 0, 1 or 2; the rest as in sg_triplanar_uv. Result: the coordinate of that plane alone.
-//   Cost: 5 instructions where axis, hand and origin are constant. Source: Eq 19 with one weight.
+//   Cost: 27 instructions (5 where axis, hand and origin are constant). Source: Eq 19 with one weight.
 SgUv sg_planar_uv(vec3 p, vec3 dpdx, vec3 dpdy, int axis, float hand, float origin) {
     SgTriplanarUv planes = sg_triplanar_uv(p, dpdx, dpdy, hand, origin);
     SgUv chosen = planes.z;
@@ -73,7 +73,7 @@ SgUv sg_planar_uv(vec3 p, vec3 dpdx, vec3 dpdy, int axis, float hand, float orig
 
 // One image projected along one axis: its volume gradient.
 //   d: of the image; axis, hand, origin: as in the lookup. Result: sg_triplanar_gradient with all weight on the axis.
-//   Cost: 1 instruction where axis, hand and origin are constant. Source: Listing 13.
+//   Cost: 16 instructions (1 where axis, hand and origin are constant). Source: Listing 13.
 vec3 sg_planar_gradient(vec2 d, int axis, float hand, float origin) {
     vec3 only = vec3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
     return sg_triplanar_gradient(only, d, d, d, hand, origin);

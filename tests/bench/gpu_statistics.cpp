@@ -21,10 +21,16 @@ VkInstance make_instance() {
     return vkCreateInstance(&info, nullptr, &instance) == VK_SUCCESS ? instance : VK_NULL_HANDLE;
 }
 
-VkDevice make_device(VkInstance instance) {
+VkPhysicalDevice physical_device() {
+    static const VkInstance instance = make_instance();
     std::uint32_t count = 1;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
-    vkEnumeratePhysicalDevices(instance, &count, &physical);
+    if (instance != VK_NULL_HANDLE) vkEnumeratePhysicalDevices(instance, &count, &physical);
+    return physical;
+}
+
+VkDevice make_device() {
+    const VkPhysicalDevice physical = physical_device();
     if (physical == VK_NULL_HANDLE) return VK_NULL_HANDLE;
     VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{};
     executables.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR;
@@ -129,9 +135,18 @@ std::optional<std::uint32_t> executable_of(VkDevice device, VkPipeline pipeline,
 }  // namespace
 
 VkDevice gpu_device() {
-    static const VkInstance instance = make_instance();
-    static const VkDevice device = instance == VK_NULL_HANDLE ? VK_NULL_HANDLE : make_device(instance);
+    static const VkDevice device = make_device();
     return device;
+}
+
+std::string gpu_driver_version() {
+    const VkPhysicalDevice physical = physical_device();
+    if (physical == VK_NULL_HANDLE) return "";
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    const std::uint32_t version = properties.driverVersion;
+    return std::to_string(VK_VERSION_MAJOR(version)) + "." + std::to_string(VK_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_VERSION_PATCH(version));
 }
 
 std::optional<GpuStatistics> pipeline_statistics(VkDevice device, VkPipeline pipeline,

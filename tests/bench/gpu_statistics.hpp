@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace sg::bench {
 
@@ -18,6 +19,9 @@ struct GpuStatistics {
 // Wants the environment kGpuEnvironment from the start of the process; empty where that driver is missing or
 // refuses.
 std::optional<GpuStatistics> gpu_statistics(std::span<const std::uint32_t> words);
+
+// The version of that driver, "22.3.6" say; "" where it is missing. Other versions count otherwise.
+std::string gpu_driver_version();
 
 // Shell assignments that make this process see RADV's null device alone.
 inline constexpr const char* kGpuEnvironment =

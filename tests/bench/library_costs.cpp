@@ -163,6 +163,7 @@ std::optional<std::uint64_t> cost_of(const std::string& file, const std::string&
 
 int run() {
     const Structs structs = structs_of_library();
+    std::string lines = fmt::format("RADV {}\n", gpu_driver_version());
     for (const auto& [function, file] : proof::library_functions()) {
         const auto cost = cost_of(file, function, structs);
         if (!cost) {
@@ -170,8 +171,9 @@ int run() {
                                      kGpuEnvironment);
             return 1;
         }
-        std::cout << fmt::format("{} {}\n", function, *cost);
+        lines += fmt::format("{} {}\n", function, *cost);
     }
+    std::cout << lines;
     return 0;
 }
 
