@@ -8,8 +8,9 @@ FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, d
     FrameBlock out{};
     out.clip_from_relative = glm::mat4(matrices.clip_from_relative);
     out.relative_from_screen = glm::mat4(matrices.relative_from_screen);
-    out.camera_position = glm::vec4(glm::vec3(scene.camera.position), scene.camera.ortho_height > 0 ? 0 : 1);
-    out.view_direction = glm::vec4(glm::vec3(matrices.direction), 0);
+    const bool perspective = scene.camera.ortho_height <= 0;
+    out.camera_position = glm::vec4(glm::vec3(scene.camera.position), perspective ? 1 : 0);
+    out.view_direction = perspective ? glm::vec4(0) : glm::vec4(glm::vec3(matrices.direction), 0);
     out.light_direction = glm::vec4(glm::vec3(glm::normalize(scene.light.direction)), 0);
     out.light_radiance = glm::vec4(glm::vec3(scene.light.radiance), 0);
     out.ambient_radiance = glm::vec4(glm::vec3(scene.light.ambient), 0);

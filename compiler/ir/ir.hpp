@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -104,6 +105,7 @@ using TextureId = Id<Texture>;
 struct Parameter {
     std::string name;
     Type type = Type::Scalar;  // Scalar, Vec2, Vec3, Vec4 or Color
+    std::optional<std::array<double, 2>> range = std::nullopt;  // of each component; the engine keeps to it
 };
 using ParameterId = Id<Parameter>;
 

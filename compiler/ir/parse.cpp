@@ -130,6 +130,10 @@ private:
             std::string name = in.quoted('"');
             in.expect(':');
             module.parameters.push_back({std::move(name), type(in)});
+            if (!in.at_end()) {
+                const auto lowest = in.number<double>();
+                module.parameters.back().range = {lowest, in.number<double>()};
+            }
         } else if (word == "shader") {
             if (in.number<std::size_t>() != module.shaders.size())
                 in.fail("shaders must be numbered in order");

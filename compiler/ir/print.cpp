@@ -50,8 +50,9 @@ std::string print(const Module& module) {
     }
     for (std::size_t i = 0; i < module.parameters.size(); ++i) {
         const Parameter& parameter = module.parameters[i];
-        out +=
-            fmt::format("parameter {} {} : {}\n", i, quoted(parameter.name, '"'), info(parameter.type).name);
+        out += fmt::format("parameter {} {} : {}", i, quoted(parameter.name, '"'), info(parameter.type).name);
+        if (parameter.range) out += fmt::format(" {} {}", (*parameter.range)[0], (*parameter.range)[1]);
+        out += "\n";
     }
     for (std::size_t i = 0; i < module.shaders.size(); ++i)
         out += fmt::format("shader {} {}\n", i, quoted(module.shaders[i].file, '"'));

@@ -2,7 +2,7 @@
 //
 //   module "brick"
 //   texture 0 "scan" tangent_normal
-//   parameter 0 "detail" : Scalar
+//   parameter 0 "detail" : Scalar 0 4     the range of each component, where there is one
 //   shader 0 "dents.glsl"             a file of the user's GLSL, without its text
 //   function 0 "dents" 0 Uv texture 0 of a shader, with its arguments
 //   %0 = position : Position

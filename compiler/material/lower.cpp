@@ -42,7 +42,7 @@ private:
         ir::Module module;
         module.name = material.name;
         for (const CheckedParameter& p : material.parameters)
-            module.parameters.push_back({p.name, ir_type(p.type)});
+            module.parameters.push_back({p.name, ir_type(p.type), p.range});
         for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
         for (const CheckedShader& s : material.shaders) module.shaders.push_back({s.file, s.text, s.names});
         return module;

@@ -54,6 +54,9 @@ public:
     ir::ValueId add(ir::Value value);
     ir::ValueId add(ir::Op op, std::vector<ir::ValueId> operands, const ir::Value& like);
     [[nodiscard]] const ir::Value& at(ir::ValueId id) const { return module_.at(id); }
+    [[nodiscard]] const ir::Parameter& parameter(const ir::Value& value) const {
+        return module_.parameters[value.index];
+    }
     // The operand's value if it is of this operation, else null.
     [[nodiscard]] const ir::Value* operand(const ir::Value& value, std::size_t index, ir::Op op) const;
     ir::Module take() { return std::move(module_); }

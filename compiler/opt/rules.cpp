@@ -15,8 +15,16 @@ bool is_constant(const Value* value, double number) {
     return value && value->op == Op::constant && value->number[0] == number;
 }
 
-bool is_positive_pair(const Value* value) {
-    return value && value->op == Op::constant && value->number[0] > 0 && value->number[1] > 0;
+// Numbers that are written, or that every engine keeps to.
+bool is_positive_pair(const Rewriter& rewriter, ValueId id) {
+    const Value& value = rewriter.at(id);
+    if (value.op == Op::splat) return is_positive_pair(rewriter, value.operands[0]);
+    if (value.op == Op::parameter) {
+        const auto& range = rewriter.parameter(value).range;
+        return range && (*range)[0] > 0;
+    }
+    const bool scalar = value.type == ir::Type::Scalar;
+    return value.op == Op::constant && value.number[0] > 0 && (scalar || value.number[1] > 0);
 }
 
 ValueId scale_by_one(Rewriter& rewriter, const Value& value) {
@@ -49,12 +57,12 @@ ValueId channel_by_its_name(Rewriter& rewriter, const Value& value) {
 
 ValueId positive_tiling_shares_basis(Rewriter& rewriter, const Value& value) {
     const Value* scaled = rewriter.operand(value, 1, Op::uv_scale);
-    if (!scaled || !is_positive_pair(rewriter.operand(*scaled, 1, Op::constant))) return {};
+    if (!scaled || !is_positive_pair(rewriter, scaled->operands[1])) return {};
     return rewriter.add(Op::basis_uv, {value.operands[0], scaled->operands[0]}, value);
 }
 
 ValueId positive_tiling_turns_nothing(Rewriter& rewriter, const Value& value) {
-    return is_positive_pair(rewriter.operand(value, 1, Op::constant)) ? value.operands[0] : ValueId{};
+    return is_positive_pair(rewriter, value.operands[1]) ? value.operands[0] : ValueId{};
 }
 
 // ---- projections are linear ----

@@ -5,11 +5,10 @@
 #include "lighting/ggx.glsl"
 #include "stage/frame_block.glsl"
 
-// Unit, towards the viewer. Orthographic cameras see along one direction.
+// Unit, towards the viewer. Orthographic cameras see along one direction; of the two terms one is 0.
 vec3 sg_stage_view(vec3 position) {
-    bool perspective = sg_frame_block.camera_position.w > 0.5;
-    vec3 to_viewer = perspective ? -position : -sg_frame_block.view_direction.xyz;
-    return to_viewer * inversesqrt(max(dot(to_viewer, to_viewer), 1e-30));
+    vec3 away = sg_frame_block.camera_position.w * position + sg_frame_block.view_direction.xyz;
+    return -away * inversesqrt(max(dot(away, away), 1e-30));
 }
 
 // Linear radiance towards the viewer.

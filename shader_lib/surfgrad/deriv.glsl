@@ -7,22 +7,22 @@ const float SG_MAX_SLOPE = 128.0;  // 89.55 degrees; every derivative stays with
 
 // A stored texel to a signed value.
 //   texel: 0..1 as sampled; zero: the 8-bit code that means 0 (127.5, 128 or 127).
-// Result: -1..1, clamped. 127.5: v/127.5 - 1; 128: (v - 128)/127; 127: (v - 127)/127. Cost: 9 instructions.
+// Result: -1..1, clamped. 127.5: v/127.5 - 1; 128: (v - 128)/127; 127: (v - 127)/127. Cost: 15 instructions.
 // Source: section 3.1.
 vec2 sg_decode_signed(vec2 texel, float zero) {
-    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
+    return clamp(zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
 }
 vec3 sg_decode_signed(vec3 texel, float zero) {
-    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
+    return clamp(zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
 }
 
 // The derivative of a tangent-space normal (x, y, z), green down.
 //   m: any length, in -1..1; a negative z counts as |z|; (0, 0, 0) is flat.
-// Result: each component within SG_MAX_SLOPE. Cost: 9 instructions. Source: Eq 15, Listing 2.
+// Result: each component within SG_MAX_SLOPE. Cost: 6 instructions. Source: Eq 15, Listing 2.
 vec2 sg_deriv_from_normal_xyz(vec3 m) {
     vec3 magnitude = abs(m);
-    float z = max(magnitude.z, max(magnitude.x, magnitude.y) / SG_MAX_SLOPE);
-    return z > 0.0 ? -m.xy / z : vec2(0.0);
+    float z = max(max(magnitude.z, max(magnitude.x, magnitude.y) / SG_MAX_SLOPE), 1e-30);
+    return -m.xy / z;
 }
 
 // The derivative of a tangent-space normal of which x and y are stored (BC5), green down.

@@ -94,14 +94,21 @@ void replace(std::string& text, std::string_view what, std::string_view with) {
     text.replace(at, what.size(), with);
 }
 
-// The hand-written shader with this project's lighting, so that the rest is what differs.
+// The hand-written shader with this project's lighting, the ambient term included, so that the rest is what
+// differs.
 std::string with_our_lighting(std::string text) {
-    replace(
-        text, "#include \"sg_lib.glsl\"\n",
-        "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n"
-        "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic) {\n"
-        "    return sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, vec3(1.0));\n}\n"
-        "#define sgShade our_shade\n");
+    replace(text, "#include \"sg_lib.glsl\"\n",
+            "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n"
+            "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic, vec3 "
+            "radiance) {\n"
+            "    vec3 direct = sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, "
+            "radiance);\n"
+            "    vec3 f0 = mix(vec3(0.04), color, metallic);\n"
+            "    return direct + mix(color, f0, metallic) * frame.ambient.rgb;\n}\n");
+    replace(text, "    vec4 lightColor;\n", "    vec4 lightColor;\n    vec4 ambient;\n");
+    replace(text, "params.metallic);", "params.metallic, frame.lightColor.rgb);");
+    replace(text, "sgShade(", "our_shade(");
+    replace(text, "c * frame.lightColor.rgb + 0.03 * base.rgb", "c");
     return text;
 }
 

@@ -20,6 +20,10 @@ std::string within_slope(const In&, const In& out) {
 }
 
 std::vector<Case> cases() {
+    const std::string kVec2 = "vec2 texel, float zero) {\n    return clamp(";
+    const std::string kVec3 = "vec3 texel, float zero) {\n    return clamp(";
+    const std::string kExact =
+        "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / min(zero, 255.0 - zero)";
     return {
         {.name = "decode_signed",
          .include = kFile,
@@ -39,12 +43,12 @@ std::vector<Case> cases() {
          // 255 texel rounds at 255 u, the difference loses it to the zero code: 255 u / 127, twice for the
          // doubling.
          .bound = {.absolute = 6 * kUlp, .relative = 4 * kUlp},
-         .mutants =
-             {{kFile,
-               "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / min(zero, 255.0 - zero)",
-               "vec2 texel, float zero) {\n    return clamp((255.0 * texel - zero) / 127.5"},
-              {kFile, "vec3 texel, float zero) {\n    return clamp((255.0 * texel - zero)",
-               "vec3 texel, float zero) {\n    return clamp((255.0 * texel - 127.5)"}}},
+         .mutants = {{kFile, kVec2 + kExact,
+                      kVec2 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / 127.5"},
+                     {kFile, kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero)",
+                      kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - 127.5)"},
+                     {kFile, kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0",
+                      kVec3 + "zero == 127.5 ? 2.0 * texel"}}},
         {.name = "deriv_from_normal_xyz",
          .include = kFile,
          .inputs = 3,

@@ -330,10 +330,10 @@ Case leaning() {
                     return std::abs(glm::dot(out.v3(0), n)) <= allowed ? ""
                                                                        : "g leaves the plane farther than T";
                 },
-            .mutants = {{"surfgrad/tbn.glsl", "vec3 tangent = scale * vertex_tangent.xyz;",
-                         "vec3 tangent = scale * scale * vertex_tangent.xyz;"},
-                        {"surfgrad/tbn.glsl", "sign_w * scale * cross(vertex_normal, vertex_tangent.xyz)",
-                         "sign_w * scale * vertex_tangent.zxy"}}};
+            .mutants = {{"surfgrad/tbn.glsl", "SgBasis(scale * vertex_tangent.xyz",
+                         "SgBasis(scale * scale * vertex_tangent.xyz"},
+                        {"surfgrad/tbn.glsl", "side * cross(vertex_normal, vertex_tangent.xyz)",
+                         "side * vertex_tangent.zxy"}}};
 }
 
 SG_PROVE(InvariantsLeaning, std::vector<Case>{leaning()});

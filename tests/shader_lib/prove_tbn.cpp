@@ -54,8 +54,8 @@ std::vector<Case> made_basis_cases() {
          // below 1.3.
          .bound = {.absolute = 16 * kUlp},
          .condition = [](const In& in) { return 1.3 / glm::length(in.v3(0)); },
-         .mutants = {{kFile, "vec3 tangent = scale * vertex_tangent.xyz;",
-                      "vec3 tangent = vertex_tangent.xyz;"}}},
+         .mutants = {{kFile, "SgBasis(scale * vertex_tangent.xyz",
+                      "SgBasis(vertex_tangent.xyz"}}},
         {.name = "basis_uv",
          .include = kFile,
          .inputs = 15,
@@ -304,36 +304,36 @@ TEST(BasisEdges, AMirroredInstanceKeepsItsBitangentTowardsT) {
 std::vector<Case> any_input_cases() {
     const std::string basis_of_wild =
         "sg_basis_uv(sg_frame(vec3(0.0), v3(3), v3(6), v3(0)), SgUv(v2(9), v2(11), v2(13)))";
-    Case mikk = {.name = "mikktspace_form",
-                 .include = std::string(kFile) + " surfgrad/resolve.glsl surfgrad/deriv.glsl",
-                 .inputs = 10,
-                 .outputs = 3,
-                 .glsl =
-                     "vec3 n = sg_base_normal(v3(0)); put(0, sg_resolve(n, sg_surfgrad_from_tbn("
-                     "sg_deriv_from_normal_xyz(v3(7)), sg_basis_vertex(v3(0), v4(3)))));",
-                 .draw =
-                     [](Random& random, Draw& in) {
-                         draw_vertex(random, in);
-                         const glm::dvec3 lean = draw_normal(random);
-                         in.put(7, glm::dvec3(lean.x, lean.y, std::sqrt(1.0 - glm::dot(lean, lean))));
-                     },
-                 // normalize(m.x T + m.y B + m.z N) of raw interpolated vectors.
-                 .reference =
-                     [](const In& in, Expect& out) {
-                         const glm::dvec3 n = in.v3(0), t = in.v3(3), m = in.v3(7);
-                         out.put(0, ref::normalized(m.x * t + m.y * in[6] * glm::cross(n, t) + m.z * n));
-                     },
-                 // The specification's own bound; 1/|N| and 1/m.z cancel in the normalisation.
-                 .bound = {.absolute = 1e-6},
-                 .condition =
-                     [](const In& in) {  // where T and B take away most of N, little is left to round
-                         const glm::dvec3 n = in.v3(0), t = in.v3(3), m = in.v3(7);
-                         const double left = glm::length(m.x * t + m.y * in[6] * glm::cross(n, t) + m.z * n);
-                         return std::max(1.0, 1.0 / left);
-                     },
-                 .mutants = {{kFile, "vec3 tangent = scale * vertex_tangent.xyz;",
-                              "vec3 tangent = normalize(vertex_tangent.xyz);"},
-                             {kFile, "sign_w * scale * cross(", "sign_w * cross("}}};
+    Case mikk = {
+        .name = "mikktspace_form",
+        .include = std::string(kFile) + " surfgrad/resolve.glsl surfgrad/deriv.glsl",
+        .inputs = 10,
+        .outputs = 3,
+        .glsl =
+            "vec3 n = sg_base_normal(v3(0)); put(0, sg_resolve(n, sg_surfgrad_from_tbn("
+            "sg_deriv_from_normal_xyz(v3(7)), sg_basis_vertex(v3(0), v4(3)))));",
+        .draw =
+            [](Random& random, Draw& in) {
+                draw_vertex(random, in);
+                const glm::dvec3 lean = draw_normal(random);
+                in.put(7, glm::dvec3(lean.x, lean.y, std::sqrt(1.0 - glm::dot(lean, lean))));
+            },
+        // normalize(m.x T + m.y B + m.z N) of raw interpolated vectors.
+        .reference =
+            [](const In& in, Expect& out) {
+                const glm::dvec3 n = in.v3(0), t = in.v3(3), m = in.v3(7);
+                out.put(0, ref::normalized(m.x * t + m.y * in[6] * glm::cross(n, t) + m.z * n));
+            },
+        // The specification's own bound; 1/|N| and 1/m.z cancel in the normalisation.
+        .bound = {.absolute = 1e-6},
+        .condition =
+            [](const In& in) {  // where T and B take away most of N, little is left to round
+                const glm::dvec3 n = in.v3(0), t = in.v3(3), m = in.v3(7);
+                const double left = glm::length(m.x * t + m.y * in[6] * glm::cross(n, t) + m.z * n);
+                return std::max(1.0, 1.0 / left);
+            },
+        .mutants = {{kFile, "SgBasis(scale * vertex_tangent.xyz", "SgBasis(normalize(vertex_tangent.xyz)"},
+                    {kFile, "side * cross(", "side / scale * cross("}}};
     return {mikk, three_resolves(),
             resolved_case("surfgrad_from_tbn_uv", kFile, 17,
                           "sg_surfgrad_from_tbn(clamp(v2(15), -128.0, 128.0), " + basis_of_wild + ")"),

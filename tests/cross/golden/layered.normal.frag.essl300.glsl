@@ -48,29 +48,27 @@ layout(location = 0) out vec4 sg_out_normal;
 SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent)
 {
     float square = dot(vertex_normal, vertex_normal);
-    float _384;
+    float _383;
     if ((square > 1.0000000031710768509710513471353e-30) && (square < 1000000015047466219876688855040.0))
     {
-        _384 = inversesqrt(square);
+        _383 = inversesqrt(square);
     }
     else
     {
-        _384 = 0.0;
+        _383 = 0.0;
     }
-    float scale = _384;
-    float sign_w = (vertex_tangent.w < 0.0) ? (-1.0) : 1.0;
-    vec3 tangent = vertex_tangent.xyz * scale;
-    vec3 bitangent = cross(vertex_normal, vertex_tangent.xyz) * (sign_w * scale);
-    SgBasis _413;
-    if (scale > 0.0)
+    float scale = _383;
+    float _395;
+    if (vertex_tangent.w < 0.0)
     {
-        _413 = SgBasis(tangent, bitangent);
+        _395 = -scale;
     }
     else
     {
-        _413 = SgBasis(vec3(0.0), vec3(0.0));
+        _395 = scale;
     }
-    return _413;
+    float side = _395;
+    return SgBasis(vertex_tangent.xyz * scale, cross(vertex_normal, vertex_tangent.xyz) * side);
 }
 
 SgUv sg_stage_uv(vec2 st)
@@ -85,23 +83,23 @@ vec4 sg_sample(SgUv uv, highp sampler2D image)
 
 vec3 sg_decode_signed(vec3 texel, float zero)
 {
-    return clamp(((texel * 255.0) - vec3(zero)) / vec3(min(zero, 255.0 - zero)), vec3(-1.0), vec3(1.0));
+    vec3 _262;
+    if (zero == 127.5)
+    {
+        _262 = (texel * 2.0) - vec3(1.0);
+    }
+    else
+    {
+        _262 = ((texel * 255.0) - vec3(zero)) / vec3(min(zero, 255.0 - zero));
+    }
+    return clamp(_262, vec3(-1.0), vec3(1.0));
 }
 
 vec2 sg_deriv_from_normal_xyz(vec3 m)
 {
     vec3 magnitude = abs(m);
-    float z = max(magnitude.z, max(magnitude.x, magnitude.y) / 128.0);
-    vec2 _283;
-    if (z > 0.0)
-    {
-        _283 = (-m.xy) / vec2(z);
-    }
-    else
-    {
-        _283 = vec2(0.0);
-    }
-    return _283;
+    float z = max(max(magnitude.z, max(magnitude.x, magnitude.y) / 128.0), 1.0000000031710768509710513471353e-30);
+    return (-m.xy) / vec2(z);
 }
 
 vec2 sg_deriv_green_up(vec2 d)
@@ -179,42 +177,51 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv)
     vec3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
     bool tangential = (square > max(1.0000000359391298238442905219083e-36, 9.9999999747524270787835121154785e-07 * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0);
-    bool _500;
+    bool _491;
     if (tangential)
     {
-        _500 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
+        _491 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _500 = tangential;
+        _491 = tangential;
     }
-    bool usable = _500;
-    vec3 _503;
+    bool usable = _491;
+    vec3 _494;
     if (usable)
     {
-        _503 = along_s * inversesqrt(square);
+        _494 = along_s * inversesqrt(square);
     }
     else
     {
-        _503 = vec3(0.0);
+        _494 = vec3(0.0);
     }
-    vec3 tangent = _503;
-    vec3 _514;
+    vec3 tangent = _494;
+    vec3 _506;
     if (usable)
     {
-        _514 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _506 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
     }
     else
     {
-        _514 = vec3(0.0);
+        _506 = vec3(0.0);
     }
-    vec3 bitangent = _514;
+    vec3 bitangent = _506;
     return SgBasis(tangent, bitangent);
 }
 
 vec2 sg_decode_signed(vec2 texel, float zero)
 {
-    return clamp(((texel * 255.0) - vec2(zero)) / vec2(min(zero, 255.0 - zero)), vec2(-1.0), vec2(1.0));
+    vec2 _233;
+    if (zero == 127.5)
+    {
+        _233 = (texel * 2.0) - vec2(1.0);
+    }
+    else
+    {
+        _233 = ((texel * 255.0) - vec2(zero)) / vec2(min(zero, 255.0 - zero));
+    }
+    return clamp(_233, vec2(-1.0), vec2(1.0));
 }
 
 vec2 sg_deriv_from_normal_xy(vec2 m)
@@ -224,42 +231,41 @@ vec2 sg_deriv_from_normal_xy(vec2 m)
 
 SgBasis sg_basis_mirror(SgBasis basis, vec2 scale)
 {
-    vec3 _537;
+    vec3 _529;
     if (scale.x < 0.0)
     {
-        _537 = -basis.tangent;
+        _529 = -basis.tangent;
     }
     else
     {
-        _537 = basis.tangent;
+        _529 = basis.tangent;
     }
-    vec3 _550;
+    vec3 _542;
     if (scale.y < 0.0)
     {
-        _550 = -basis.bitangent;
+        _542 = -basis.bitangent;
     }
     else
     {
-        _550 = basis.bitangent;
+        _542 = basis.bitangent;
     }
-    return SgBasis(_537, _550);
+    return SgBasis(_529, _542);
 }
 
 vec3 sg_resolve(vec3 n, vec3 g)
 {
-    float scale = 1.0 / max(1.0, max(max(abs(g.x), abs(g.y)), abs(g.z)));
-    vec3 bumped = (n * scale) - (g * scale);
+    vec3 bumped = n - g;
     float square = dot(bumped, bumped);
-    vec3 _349;
-    if ((square > 1.0000000031710768509710513471353e-30) && (square < 16.0))
+    vec3 _348;
+    if ((square > 1.0000000031710768509710513471353e-30) && (square < 9.9999996802856924650656260769173e+37))
     {
-        _349 = bumped * inversesqrt(square);
+        _348 = bumped * inversesqrt(square);
     }
     else
     {
-        _349 = n;
+        _348 = n;
     }
-    return _349;
+    return _348;
 }
 
 void main()

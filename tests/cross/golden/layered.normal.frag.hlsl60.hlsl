@@ -22,8 +22,6 @@ struct SgBasis
     float3 bitangent;
 };
 
-static const SgBasis _419 = { 0.0f.xxx, 0.0f.xxx };
-
 cbuffer SgMaterialBlock : register(b0, space1)
 {
     float sg_material_p_pebbles : packoffset(c0);
@@ -64,29 +62,27 @@ struct SPIRV_Cross_Output
 SgBasis sg_basis_vertex(float3 vertex_normal, float4 vertex_tangent)
 {
     float square = dot(vertex_normal, vertex_normal);
-    float _382;
+    float _381;
     if ((square > 1.0000000031710768509710513471353e-30f) && (square < 1000000015047466219876688855040.0f))
     {
-        _382 = rsqrt(square);
+        _381 = rsqrt(square);
     }
     else
     {
-        _382 = 0.0f;
+        _381 = 0.0f;
     }
-    float scale = _382;
-    float sign_w = (vertex_tangent.w < 0.0f) ? (-1.0f) : 1.0f;
-    float3 tangent = vertex_tangent.xyz * scale;
-    float3 bitangent = cross(vertex_normal, vertex_tangent.xyz) * (sign_w * scale);
-    SgBasis _411;
-    if (scale > 0.0f)
+    float scale = _381;
+    float _393;
+    if (vertex_tangent.w < 0.0f)
     {
-        SgBasis _416 = { tangent, bitangent };
-        _411 = _416;
+        _393 = -scale;
     }
     else
     {
-        _411 = _419;
+        _393 = scale;
     }
+    float side = _393;
+    SgBasis _411 = { vertex_tangent.xyz * scale, cross(vertex_normal, vertex_tangent.xyz) * side };
     return _411;
 }
 
@@ -103,23 +99,23 @@ float4 sg_sample(Texture2D<float4> image, SamplerState filtering, SgUv uv)
 
 float3 sg_decode_signed(float3 texel, float zero)
 {
-    return clamp(((texel * 255.0f) - zero.xxx) / min(zero, 255.0f - zero).xxx, (-1.0f).xxx, 1.0f.xxx);
+    float3 _260;
+    if (zero == 127.5f)
+    {
+        _260 = (texel * 2.0f) - 1.0f.xxx;
+    }
+    else
+    {
+        _260 = ((texel * 255.0f) - zero.xxx) / min(zero, 255.0f - zero).xxx;
+    }
+    return clamp(_260, (-1.0f).xxx, 1.0f.xxx);
 }
 
 float2 sg_deriv_from_normal_xyz(float3 m)
 {
     float3 magnitude = abs(m);
-    float z = max(magnitude.z, max(magnitude.x, magnitude.y) / 128.0f);
-    float2 _281;
-    if (z > 0.0f)
-    {
-        _281 = (-m.xy) / z.xx;
-    }
-    else
-    {
-        _281 = 0.0f.xx;
-    }
-    return _281;
+    float z = max(max(magnitude.z, max(magnitude.x, magnitude.y) / 128.0f), 1.0000000031710768509710513471353e-30f);
+    return (-m.xy) / z.xx;
 }
 
 float2 sg_deriv_green_up(float2 d)
@@ -199,43 +195,52 @@ SgBasis sg_basis_uv(SgFrame frame, SgUv uv)
     float3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
     bool tangential = (square > max(1.0000000359391298238442905219083e-36f, 9.9999999747524270787835121154785e-07f * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0f);
-    bool _498;
+    bool _489;
     if (tangential)
     {
-        _498 = abs(det) > (9.9999999747524270787835121154785e-07f * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
+        _489 = abs(det) > (9.9999999747524270787835121154785e-07f * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _498 = tangential;
+        _489 = tangential;
     }
-    bool usable = _498;
-    float3 _501;
+    bool usable = _489;
+    float3 _492;
     if (usable)
     {
-        _501 = along_s * rsqrt(square);
+        _492 = along_s * rsqrt(square);
     }
     else
     {
-        _501 = 0.0f.xxx;
+        _492 = 0.0f.xxx;
     }
-    float3 tangent = _501;
-    float3 _512;
+    float3 tangent = _492;
+    float3 _504;
     if (usable)
     {
-        _512 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _504 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
     }
     else
     {
-        _512 = 0.0f.xxx;
+        _504 = 0.0f.xxx;
     }
-    float3 bitangent = _512;
-    SgBasis _529 = { tangent, bitangent };
-    return _529;
+    float3 bitangent = _504;
+    SgBasis _521 = { tangent, bitangent };
+    return _521;
 }
 
 float2 sg_decode_signed(float2 texel, float zero)
 {
-    return clamp(((texel * 255.0f) - zero.xx) / min(zero, 255.0f - zero).xx, (-1.0f).xx, 1.0f.xx);
+    float2 _231;
+    if (zero == 127.5f)
+    {
+        _231 = (texel * 2.0f) - 1.0f.xx;
+    }
+    else
+    {
+        _231 = ((texel * 255.0f) - zero.xx) / min(zero, 255.0f - zero).xx;
+    }
+    return clamp(_231, (-1.0f).xx, 1.0f.xx);
 }
 
 float2 sg_deriv_from_normal_xy(float2 m)
@@ -245,43 +250,42 @@ float2 sg_deriv_from_normal_xy(float2 m)
 
 SgBasis sg_basis_mirror(SgBasis basis, float2 scale)
 {
-    float3 _535;
+    float3 _527;
     if (scale.x < 0.0f)
     {
-        _535 = -basis.tangent;
+        _527 = -basis.tangent;
     }
     else
     {
-        _535 = basis.tangent;
+        _527 = basis.tangent;
     }
-    float3 _548;
+    float3 _540;
     if (scale.y < 0.0f)
     {
-        _548 = -basis.bitangent;
+        _540 = -basis.bitangent;
     }
     else
     {
-        _548 = basis.bitangent;
+        _540 = basis.bitangent;
     }
-    SgBasis _558 = { _535, _548 };
-    return _558;
+    SgBasis _550 = { _527, _540 };
+    return _550;
 }
 
 float3 sg_resolve(float3 n, float3 g)
 {
-    float scale = 1.0f / max(1.0f, max(max(abs(g.x), abs(g.y)), abs(g.z)));
-    float3 bumped = (n * scale) - (g * scale);
+    float3 bumped = n - g;
     float square = dot(bumped, bumped);
-    float3 _347;
-    if ((square > 1.0000000031710768509710513471353e-30f) && (square < 16.0f))
+    float3 _346;
+    if ((square > 1.0000000031710768509710513471353e-30f) && (square < 9.9999996802856924650656260769173e+37f))
     {
-        _347 = bumped * rsqrt(square);
+        _346 = bumped * rsqrt(square);
     }
     else
     {
-        _347 = n;
+        _346 = n;
     }
-    return _347;
+    return _346;
 }
 
 void frag_main()

@@ -54,29 +54,27 @@ static inline __attribute__((always_inline))
 SgBasis sg_basis_vertex(thread const float3& vertex_normal, thread const float4& vertex_tangent)
 {
     float square = dot(vertex_normal, vertex_normal);
-    float _382;
+    float _381;
     if ((square > 1.0000000031710768509710513471353e-30) && (square < 1000000015047466219876688855040.0))
     {
-        _382 = rsqrt(square);
+        _381 = rsqrt(square);
     }
     else
     {
-        _382 = 0.0;
+        _381 = 0.0;
     }
-    float scale = _382;
-    float sign_w = (vertex_tangent.w < 0.0) ? (-1.0) : 1.0;
-    float3 tangent = vertex_tangent.xyz * scale;
-    float3 bitangent = cross(vertex_normal, vertex_tangent.xyz) * (sign_w * scale);
-    SgBasis _411;
-    if (scale > 0.0)
+    float scale = _381;
+    float _393;
+    if (vertex_tangent.w < 0.0)
     {
-        _411 = SgBasis{ tangent, bitangent };
+        _393 = -scale;
     }
     else
     {
-        _411 = SgBasis{ float3(0.0), float3(0.0) };
+        _393 = scale;
     }
-    return _411;
+    float side = _393;
+    return SgBasis{ vertex_tangent.xyz * scale, cross(vertex_normal, vertex_tangent.xyz) * side };
 }
 
 static inline __attribute__((always_inline))
@@ -94,24 +92,24 @@ float4 sg_sample(texture2d<float> image, sampler filtering, thread const SgUv& u
 static inline __attribute__((always_inline))
 float3 sg_decode_signed(thread const float3& texel, thread const float& zero)
 {
-    return fast::clamp(((texel * 255.0) - float3(zero)) / float3(fast::min(zero, 255.0 - zero)), float3(-1.0), float3(1.0));
+    float3 _260;
+    if (zero == 127.5)
+    {
+        _260 = (texel * 2.0) - float3(1.0);
+    }
+    else
+    {
+        _260 = ((texel * 255.0) - float3(zero)) / float3(fast::min(zero, 255.0 - zero));
+    }
+    return fast::clamp(_260, float3(-1.0), float3(1.0));
 }
 
 static inline __attribute__((always_inline))
 float2 sg_deriv_from_normal_xyz(thread const float3& m)
 {
     float3 magnitude = abs(m);
-    float z = fast::max(magnitude.z, fast::max(magnitude.x, magnitude.y) / 128.0);
-    float2 _281;
-    if (z > 0.0)
-    {
-        _281 = (-m.xy) / float2(z);
-    }
-    else
-    {
-        _281 = float2(0.0);
-    }
-    return _281;
+    float z = fast::max(fast::max(magnitude.z, fast::max(magnitude.x, magnitude.y) / 128.0), 1.0000000031710768509710513471353e-30);
+    return (-m.xy) / float2(z);
 }
 
 static inline __attribute__((always_inline))
@@ -199,43 +197,52 @@ SgBasis sg_basis_uv(thread const SgFrame& frame, thread const SgUv& uv)
     float3 along_s = sg_reject(param, param_1);
     float square = dot(along_s, along_s);
     bool tangential = (square > fast::max(1.0000000359391298238442905219083e-36, 9.9999999747524270787835121154785e-07 * dot(step_s, step_s))) && (square < 1000000015047466219876688855040.0);
-    bool _498;
+    bool _489;
     if (tangential)
     {
-        _498 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
+        _489 = abs(det) > (9.9999999747524270787835121154785e-07 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy)));
     }
     else
     {
-        _498 = tangential;
+        _489 = tangential;
     }
-    bool usable = _498;
-    float3 _501;
+    bool usable = _489;
+    float3 _492;
     if (usable)
     {
-        _501 = along_s * rsqrt(square);
+        _492 = along_s * rsqrt(square);
     }
     else
     {
-        _501 = float3(0.0);
+        _492 = float3(0.0);
     }
-    float3 tangent = _501;
-    float3 _512;
+    float3 tangent = _492;
+    float3 _504;
     if (usable)
     {
-        _512 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
+        _504 = cross(frame.normal, tangent) * (sign_det * frame.flip_sign);
     }
     else
     {
-        _512 = float3(0.0);
+        _504 = float3(0.0);
     }
-    float3 bitangent = _512;
+    float3 bitangent = _504;
     return SgBasis{ tangent, bitangent };
 }
 
 static inline __attribute__((always_inline))
 float2 sg_decode_signed(thread const float2& texel, thread const float& zero)
 {
-    return fast::clamp(((texel * 255.0) - float2(zero)) / float2(fast::min(zero, 255.0 - zero)), float2(-1.0), float2(1.0));
+    float2 _231;
+    if (zero == 127.5)
+    {
+        _231 = (texel * 2.0) - float2(1.0);
+    }
+    else
+    {
+        _231 = ((texel * 255.0) - float2(zero)) / float2(fast::min(zero, 255.0 - zero));
+    }
+    return fast::clamp(_231, float2(-1.0), float2(1.0));
 }
 
 static inline __attribute__((always_inline))
@@ -247,43 +254,42 @@ float2 sg_deriv_from_normal_xy(thread const float2& m)
 static inline __attribute__((always_inline))
 SgBasis sg_basis_mirror(thread const SgBasis& basis, thread const float2& scale)
 {
-    float3 _535;
+    float3 _527;
     if (scale.x < 0.0)
     {
-        _535 = -basis.tangent;
+        _527 = -basis.tangent;
     }
     else
     {
-        _535 = basis.tangent;
+        _527 = basis.tangent;
     }
-    float3 _548;
+    float3 _540;
     if (scale.y < 0.0)
     {
-        _548 = -basis.bitangent;
+        _540 = -basis.bitangent;
     }
     else
     {
-        _548 = basis.bitangent;
+        _540 = basis.bitangent;
     }
-    return SgBasis{ _535, _548 };
+    return SgBasis{ _527, _540 };
 }
 
 static inline __attribute__((always_inline))
 float3 sg_resolve(thread const float3& n, thread const float3& g)
 {
-    float scale = 1.0 / fast::max(1.0, fast::max(fast::max(abs(g.x), abs(g.y)), abs(g.z)));
-    float3 bumped = (n * scale) - (g * scale);
+    float3 bumped = n - g;
     float square = dot(bumped, bumped);
-    float3 _347;
-    if ((square > 1.0000000031710768509710513471353e-30) && (square < 16.0))
+    float3 _346;
+    if ((square > 1.0000000031710768509710513471353e-30) && (square < 9.9999996802856924650656260769173e+37))
     {
-        _347 = bumped * rsqrt(square);
+        _346 = bumped * rsqrt(square);
     }
     else
     {
-        _347 = n;
+        _346 = n;
     }
-    return _347;
+    return _346;
 }
 
 fragment main0_out main0(main0_in in [[stage_in]], constant SgMaterialBlock& sg_material [[buffer(1)]], texture2d<float> t_ramp [[texture(0)]], texture2d<float> t_pebble [[texture(1)]], texture2d<float> t_weave [[texture(2)]], texture2d<float> t_scratch [[texture(3)]], sampler s_0 [[sampler(0)]], sampler s_1 [[sampler(1)]], bool gl_FrontFacing [[front_facing]])

@@ -32,8 +32,8 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_mirror(m_basis_vertex, sg_material.p_tiling));
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), m_basis_vertex);
 
     vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);

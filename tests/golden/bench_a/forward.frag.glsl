@@ -32,8 +32,8 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_mirror(sg_basis_vertex(sg_in_normal, sg_in_tangent), sg_material.p_tiling));
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_in_normal, sg_in_tangent));
 
     SgSurface sg_surface = SgSurface(sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
     vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing()), m_weave));

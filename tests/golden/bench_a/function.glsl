@@ -85,9 +85,8 @@ SgMaterialResult sg_material_bench_a(SgMaterialInputs sg_inputs, SgMaterialParam
     SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
 
     // weave: normal_map
-    SgBasis m_weave_basis = sg_basis_mirror(sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent), sg_material.p_tiling);
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), m_weave_basis);
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent));
 
     return SgMaterialResult(sg_resolve(sg_mirror_normal(sg_base_normal(sg_inputs.normal), sg_inputs.facing), m_weave), sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), 1.0, 0.0);
 }

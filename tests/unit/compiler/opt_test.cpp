@@ -141,6 +141,20 @@ TEST(Opt, NegativeTilingKeepsItsOwnBasis) {
     EXPECT_NE(optimised(text).find("uv_scale"), std::string::npos);
 }
 
+// What a range says of a parameter holds as if it were written; without one, or with 0 in it, nothing is
+// known.
+TEST(Opt, ParametersKeepToTheirRanges) {
+    const std::string rest =
+        "%8 = parameter 0 : Vec2\n%9 = basis_mirror %3 %8 : Basis\n%10 = surfgrad_from_tbn %7 %9 : SurfGrad\n"
+        "output gradient = %10\n";
+    auto mirrors = [&](const std::string& parameter) {
+        return optimised(kTexture + parameter + kSurface + rest).find("basis_mirror") != std::string::npos;
+    };
+    EXPECT_FALSE(mirrors("parameter 0 \"tiling\" : Vec2 0.5 8\n"));
+    EXPECT_TRUE(mirrors("parameter 0 \"tiling\" : Vec2 0 8\n"));
+    EXPECT_TRUE(mirrors("parameter 0 \"tiling\" : Vec2\n"));
+}
+
 TEST(Opt, OneProjectionReachesPastOtherLayers) {
     // layers 1 and 2 share the vertex basis; layer 0 has a basis of its own in front of them.
     std::string text = kTexture + kSurface +
