@@ -1,0 +1,29 @@
+// One material per kind of bump whose heights are known: a strength "$h" scales all of its heights.
+#pragma once
+
+#include "tests/proof/subject.hpp"
+
+namespace sg::proof {
+
+using Texel = std::function<ref::dvec4(ref::dvec2)>;
+
+struct KindCase {
+    std::string name;
+    runtime::SmoothShape shape = runtime::SmoothShape::torus;
+    std::string material;                    // JSON without "parameters" and the closing brace
+    std::map<std::string, Texel> textures;   // by name
+    std::map<std::string, double> partners;  // textures of slopes: the world length of their heights' value 1
+    double unit = 1;                         // what "$h" is per unit of world height
+    bool decal = false;                      // its texture needs the projector (see made_subject)
+};
+const std::vector<KindCase>& all_kind_cases();
+inline std::ostream& operator<<(std::ostream& out, const KindCase& c) {
+    return out << c.name;
+}
+
+// The height that all textures stand for, period 1: world units per "$h".
+double test_height(ref::dvec2 c);
+
+Subject made_subject(const KindCase& c);
+
+}  // namespace sg::proof
