@@ -4,7 +4,7 @@ BUILD := build/$(PRESET)
 DEMO := build/demo
 JOBS ?= $(shell nproc)
 
-.PHONY: deps build demo test bench format lint accept clean
+.PHONY: deps build demo gallery test bench format lint accept clean
 
 deps:
 	@.ci/deps
@@ -18,6 +18,11 @@ demo: build
 	$(BUILD)/surfgrad-render $(DEMO)/two_unwraps.json --texture-root materials -o $(DEMO)/two_unwraps.png \
 	    --mesh torus --camera 0.6,2.1,2.9:0,-0.05,0:40 --size 720x440 --supersample 3
 	@echo "wrote $(DEMO)/two_unwraps.png; the shader that drew it is $(DEMO)/two_unwraps.forward.frag.glsl"
+
+gallery: build
+	cmake --build $(BUILD) -j $(JOBS) --target surfgrad_gallery
+	$(BUILD)/surfgrad-gallery materials/figures/*.figure.json -o build/gallery
+	@echo "wrote build/gallery/index.html"
 
 test: deps
 	@cmake --preset $(PRESET)

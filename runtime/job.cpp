@@ -46,25 +46,25 @@ int exit_code(const Diags& diags) {
     return command_line ? kCommandLineWrong : diags.exit_code();
 }
 
-std::optional<Located> locate(const std::filesystem::path& input, bool with_module, Files& files, int& code,
-                              Diags& diags) {
+std::optional<Located> locate(const std::filesystem::path& input,
+                              const std::optional<std::filesystem::path>& texture_root,
+                              const std::string& emit, Files& files, int& code, Diags& diags) {
     auto material = is_material(files, input, diags);
     if (material && !*material) return Located{input, std::nullopt};
     code = exit_code(diags);
     if (!material) return std::nullopt;
     auto folder = TemporaryFolder::create(diags);
-    if (folder) {
-        auto ended = compile_material(compiler_beside_us(), input, folder->path(), diags, with_module);
-        code = ended ? *ended : exit_code(diags);
-        if (ended && *ended == 0) {
-            std::filesystem::path manifest = folder->path() / input.stem();
-            manifest += ".json";
-            return Located{manifest, std::move(folder)};
-        }
-        return std::nullopt;
-    }
     code = exit_code(diags);
-    return std::nullopt;
+    if (!folder) return std::nullopt;
+    std::vector<std::string> options;
+    if (!emit.empty()) options.insert(options.end(), {"--emit", emit});
+    if (texture_root) options.insert(options.end(), {"-I", texture_root->string()});
+    const auto ended = compile_material(compiler_beside_us(), input, folder->path(), diags, options);
+    code = ended ? *ended : exit_code(diags);
+    if (code != 0) return std::nullopt;
+    std::filesystem::path manifest = folder->path() / input.stem();
+    manifest += ".json";
+    return Located{manifest, std::move(folder)};
 }
 
 std::optional<Job> prepare(const Arguments& arguments, const std::filesystem::path& manifest,

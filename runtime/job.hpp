@@ -13,9 +13,11 @@ struct Located {
     std::filesystem::path manifest;
     std::optional<TemporaryFolder> folder;
 };
-// Empty: `code` is what to leave with. with_module: a material is compiled with its module beside it.
-std::optional<Located> locate(const std::filesystem::path& input, bool with_module, Files& files, int& code,
-                              Diags& diags);
+// Empty: `code` is what to leave with. emit: what else surfgradc is to write of a material (--emit), or "";
+// texture_root: a further folder that it looks for files in.
+std::optional<Located> locate(const std::filesystem::path& input,
+                              const std::optional<std::filesystem::path>& texture_root,
+                              const std::string& emit, Files& files, int& code, Diags& diags);
 
 struct Job {
     Artefact artefact;

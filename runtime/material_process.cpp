@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
-#include <vector>
 
 namespace sg::runtime {
 
@@ -35,11 +34,12 @@ std::filesystem::path compiler_beside_us() {
 
 std::optional<int> compile_material(const std::filesystem::path& compiler,
                                     const std::filesystem::path& material,
-                                    const std::filesystem::path& folder, Diags& diags, bool with_module) {
+                                    const std::filesystem::path& folder, Diags& diags,
+                                    const std::vector<std::string>& options) {
     // A name that starts with a dash must not be read as an option.
     std::string file = material.string().starts_with('-') ? "./" + material.string() : material.string();
     std::vector<std::string> words = {compiler.string(), "compile", file, "-o", folder.string()};
-    if (with_module) words.insert(words.end(), {"--emit", "ir"});
+    words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/diag.hpp"
 
@@ -27,13 +28,13 @@ private:
     std::filesystem::path path_;
 };
 
-// Runs "surfgradc compile MATERIAL -o FOLDER", with the module (--emit ir) where `with_module`; its messages
-// go to our stderr. Gives its exit code, or nothing and compiler_missing if it could not be started or was
-// ended by a signal. `compiler` is the program's path.
+// Runs "surfgradc compile MATERIAL -o FOLDER" with further options; its messages go to our stderr. Gives its
+// exit code, or nothing and compiler_missing if it could not be started or was ended by a signal. `compiler`
+// is the program's path.
 std::optional<int> compile_material(const std::filesystem::path& compiler,
                                     const std::filesystem::path& material,
                                     const std::filesystem::path& folder, Diags& diags,
-                                    bool with_module = false);
+                                    const std::vector<std::string>& options = {});
 
 // The surfgradc in the folder of the running program.
 std::filesystem::path compiler_beside_us();

@@ -1,6 +1,7 @@
 #include "heights.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "shaping.hpp"
 
@@ -242,6 +243,21 @@ double pebble_height(double s, double t) {
     const double size = 0.022 + 0.014 * random_of(i, j, kLift);
     const double lean = 1.0 - 0.30 * ((x - home.x) + 0.6 * (y - home.y));
     return size * distance_to_border(home, x, y) * lean + 0.0012 * value_noise(s, t, 32, kGrain);
+}
+
+// A large and a small dome, each the part of a sphere within 60 degrees of its top.
+double dome_height(double s, double t) {
+    auto dome = [&](double at_s, double at_t, double radius) {
+        const double ds = wrapped_difference(s, at_s), dt = wrapped_difference(t, at_t);
+        const double square = radius * radius - ds * ds - dt * dt;
+        return square > 0.25 * radius * radius ? std::sqrt(square) - 0.5 * radius : 0.0;
+    };
+    return std::max(dome(0.34, 0.36, 0.28), dome(0.78, 0.8, 0.14));
+}
+
+// Ribs that run along t, four to the tile.
+double rib_height(double s, double) {
+    return 0.016 * wave(4.0 * s);
 }
 
 }  // namespace sg::samples

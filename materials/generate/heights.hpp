@@ -12,5 +12,7 @@ double scratch_height(double s, double t);
 double weave_height(double s, double t);
 double ramp_height(double s, double t);
 double pebble_height(double s, double t);
+double dome_height(double s, double t);
+double rib_height(double s, double t);
 
 }  // namespace sg::samples

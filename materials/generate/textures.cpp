@@ -11,7 +11,7 @@
 namespace sg::samples {
 namespace {
 
-constexpr std::array<TextureRecipe, 11> kRecipes{{
+constexpr std::array<TextureRecipe, 15> kRecipes{{
     {"brick_normal.png", 256, brick_height, false, true, 127.5},
     {"scratch_normal_xy.png", 256, scratch_height, true, false, 127.5},
     {"weave_normal.png", 128, weave_height, false, false, 128.0},
@@ -23,6 +23,10 @@ constexpr std::array<TextureRecipe, 11> kRecipes{{
     {"moss_mask.png", 64, pebble_height, false, true, 127.5, Content::mask},
     {"stone_color.png", 128, pebble_height, false, true, 127.5, Content::color, 0.0, 0.036},
     {"pebble_sphere_object.png", 128, pebble_height, false, true, 127.5, Content::object_normal},
+    {"dome_normal.png", 128, dome_height, false, true, 127.5, Content::normal, 0.0, 1.0, true},
+    {"dome_height.png", 128, dome_height, false, true, 127.5, Content::height, 0.0, 0.15, true},
+    {"brick_height.png", 128, brick_height, false, true, 127.5, Content::height, 0.0, 0.02, true},
+    {"rib_height.png", 128, rib_height, false, true, 127.5, Content::height, -0.02, 0.02, true},
 }};
 
 constexpr int kSamples = 4;  // across the direction of the difference
@@ -127,7 +131,8 @@ std::span<const TextureRecipe> texture_recipes() {
 }
 
 std::string make_texture(const TextureRecipe& recipe) {
-    asset::Image image = asset::make_image(recipe.size, recipe.size, asset::TexelFormat::unorm8);
+    const auto format = recipe.wide ? asset::TexelFormat::unorm16 : asset::TexelFormat::unorm8;
+    asset::Image image = asset::make_image(recipe.size, recipe.size, format);
     const double texel = 1.0 / recipe.size;
     for (std::uint32_t y = 0; y < recipe.size; ++y) {
         for (std::uint32_t x = 0; x < recipe.size; ++x) {
@@ -139,7 +144,7 @@ std::string make_texture(const TextureRecipe& recipe) {
             for (int c = 0; c < 4; ++c) image.set(x, y, c, four[static_cast<std::size_t>(c)]);
         }
     }
-    return asset::png_bytes(image);
+    return recipe.wide ? asset::png16_bytes(image) : asset::png_bytes(image);
 }
 
 }  // namespace sg::samples

@@ -31,10 +31,11 @@ struct TextureRecipe {
     double zero;  // 127, 127.5 or 128
     Content content = Content::normal;
     double low = 0.0, high = 1.0;
+    bool wide = false;  // 16 bits per channel instead of 8
 };
 std::span<const TextureRecipe> texture_recipes();
 
-// 8-bit RGBA PNG, alpha 255 unless packed; the same bytes on every machine.
+// RGBA PNG, opaque unless packed; the same bytes on every machine.
 std::string make_texture(const TextureRecipe& recipe);
 
 }  // namespace sg::samples

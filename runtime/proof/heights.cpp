@@ -13,6 +13,7 @@ using ir::Op;
 using ref::dvec2;
 using ref::dvec3;
 
+constexpr const char* kOwnFunction = "it is a function of its own, whose height is not known";
 constexpr const char* kTwoNormals = "it blends two normals, which is no sum of heights";
 
 const std::vector<HeightRow>& rows() {
@@ -61,6 +62,9 @@ const std::vector<HeightRow>& rows() {
         {Op::add_surfgrad, HeightRule::sum},
         {Op::mask_surfgrad, HeightRule::mask},
         {Op::mix_surfgrad, HeightRule::mix},
+        {Op::custom_deriv, HeightRule::none, 0, kOwnFunction},
+        {Op::custom_gradient, HeightRule::none, 0, kOwnFunction},
+        {Op::custom_surfgrad, HeightRule::none, 0, kOwnFunction},
     };
     return kRows;
 }

@@ -153,7 +153,7 @@ std::optional<Picture> read_picture(const std::filesystem::path& path, Files& fi
 
 std::optional<Picture> draw_normals(const Arguments& arguments, const std::filesystem::path& input,
                                     Files& files, int& code, Diags& diags) {
-    const auto located = runtime::locate(input, false, files, code, diags);
+    const auto located = runtime::locate(input, arguments.texture_root, "", files, code, diags);
     if (!located) return std::nullopt;
     const std::filesystem::path root = arguments.texture_root.value_or(input.parent_path());
     const auto job = runtime::prepare(arguments, located->manifest, root, "normal", files, diags);
@@ -177,14 +177,13 @@ std::optional<Picture> normals_of(const Arguments& arguments, const std::filesys
     return out;
 }
 
-// The base surface's point that belongs to each pixel.
+}  // namespace
+
 std::optional<Picture> draw_positions(runtime::gpu::Device& device, const Job& job, Diags& diags) {
     const auto view = runtime::find_view(job.artefact, "position", diags);
     if (!view) return std::nullopt;
     return runtime::render(device, job.artefact, job.textures, job.scene, *view, job.options, diags);
 }
-
-}  // namespace
 
 std::optional<Judge> make_judge(const Job& job, std::string_view mesh, const std::filesystem::path& manifest,
                                 const std::filesystem::path& root, std::span<const std::string> heights,
@@ -224,31 +223,35 @@ std::optional<Judge> make_judge(const Job& job, std::string_view mesh, const std
     return out;
 }
 
-std::optional<Angles> error_angles(runtime::gpu::Device& device, const Job& job, Judge& judge, Diags& diags) {
-    const auto normals =
-        runtime::render(device, job.artefact, job.textures, job.scene, *job.view, job.options, diags);
-    const auto positions = draw_positions(device, job, diags);
-    if (!normals || !positions) return std::nullopt;
-    Angles out(job.options.width, job.options.height);
-    auto vector = [](const Picture& picture, std::uint32_t x, std::uint32_t y) {
-        const asset::Image& v = picture.values;
-        return glm::dvec3(v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2));
-    };
-    for (std::uint32_t y = 0; y < out.height; ++y) {
-        for (std::uint32_t x = 0; x < out.width; ++x) {
-            if (normals->coverage[std::size_t{y} * out.width + x] == 0) continue;
-            const glm::dvec3 point = vector(*positions, x, y);
+runtime::Picture true_normals(const Job& job, Judge& judge, const Picture& positions) {
+    Picture out{
+        asset::make_image(positions.values.width, positions.values.height, asset::TexelFormat::float32),
+        positions.coverage};
+    for (std::uint32_t y = 0; y < out.values.height; ++y) {
+        for (std::uint32_t x = 0; x < out.values.width; ++x) {
+            if (positions.coverage[std::size_t{y} * out.values.width + x] == 0) continue;
+            const asset::Image& v = positions.values;
+            const glm::dvec3 point(v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2));
             const glm::dvec3 sight = job.scene.camera.ortho_height > 0 ? judge.camera.direction : point;
-            const TrueNormal truth = judge.truth->at(point, {x + 0.5, y + 0.5}, sight);
-            out.at(x, y) = angle_degrees(vector(*normals, x, y), truth.normal);
+            const glm::dvec3 truth = judge.truth->at(point, {x + 0.5, y + 0.5}, sight).normal;
+            for (int c = 0; c < 3; ++c) out.values.set(x, y, c, truth[c]);
+            out.values.set(x, y, 3, 1);
         }
     }
     return out;
 }
 
+std::optional<Angles> error_angles(runtime::gpu::Device& device, const Job& job, Judge& judge, Diags& diags) {
+    const auto normals =
+        runtime::render(device, job.artefact, job.textures, job.scene, *job.view, job.options, diags);
+    const auto positions = draw_positions(device, job, diags);
+    if (!normals || !positions) return std::nullopt;
+    return angles_between(*normals, true_normals(job, judge, *positions));
+}
+
 int run_error_view(const Arguments& arguments, Files& files, Diags& diags) {
     int code = 0;
-    const auto located = runtime::locate(arguments.input, true, files, code, diags);
+    const auto located = runtime::locate(arguments.input, arguments.texture_root, "ir", files, code, diags);
     if (!located) return code;
     const std::filesystem::path root = arguments.texture_root.value_or(arguments.input.parent_path());
     const auto job = runtime::prepare(arguments, located->manifest, root, "normal", files, diags);

@@ -1,0 +1,56 @@
+// A figure: one scene, several materials, what each is compared with, and what is claimed about it.
+//
+//   { "title": "...", "source": "...", "text": "what to see",
+//     "mesh": "sphere", "detail": 4, "size": [360, 300], "light": [x, y, z],
+//     "camera": { "position": [x, y, z], "target": [x, y, z], "fov": 30, "ortho": 0 },
+//     "materials": "..",                                  where textures are, relative to this file
+//     "truth": { "material": "ours.json", "heights": ["map=textures/h.png:0.1"] },
+//     "pictures": [ { "id": "old", "material": "old.json", "label": "...", "parameters": ["a=1"] } ],
+//     "claims": [ { "text": "...", "picture": "old", "number": "median", ...one of
+//                   "below": 0.5 | "above": 5 | "times": 5, "than": "ours" | "apart": 0.1, "from": "ours" } ]
+//                   }
+//
+// Numbers are degrees: median, p95, p99 or max of the angles to the truth, or with "from" to another picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diag.hpp"
+#include "base/files.hpp"
+#include "runtime/camera.hpp"
+
+namespace sg::proof {
+
+struct FigurePicture {
+    std::string id, material, label;
+    std::vector<std::string> parameters;
+};
+
+struct Claim {
+    enum class Kind { below, above, times, apart };
+    std::string text, picture, other, number = "median";
+    Kind kind = Kind::below;
+    double value = 0;
+    Place place;
+};
+
+struct Figure {
+    std::string name;  // NAME.figure.json
+    std::string title, source, text;
+    std::string mesh;
+    std::uint32_t detail = 1, width = 360, height = 300;
+    std::optional<glm::dvec3> light;
+    std::optional<runtime::Camera> camera;
+    std::filesystem::path folder, materials;
+    std::string truth;  // a material, or "" where nothing is displaced
+    std::vector<std::string> heights;
+    std::vector<FigurePicture> pictures;
+    std::vector<Claim> claims;
+};
+
+// All faults are reported: json_*, unknown_key, missing_key, wrong_type, out_of_range, unknown_choice.
+std::optional<Figure> read_figure(const std::filesystem::path& file, Files& files, Diags& diags);
+
+}  // namespace sg::proof
