@@ -156,11 +156,22 @@ class GlslWriter : public spirv_cross::CompilerGLSL {
 public:
     using CompilerGLSL::CompilerGLSL;
 
-    // Functions that take a texture and a sampler take both as one, under the name of the texture.
+    // Functions that take a texture and a sampler take both as one, under the name and in the order of the
+    // textures; the order of their use decided before.
     void name_joined_parameters() {
         ir.for_each_typed_id<spirv_cross::SPIRFunction>([&](std::uint32_t,
                                                             spirv_cross::SPIRFunction& function) {
-            for (const auto& joined : function.combined_parameters) {
+            auto& joined_parameters = function.combined_parameters;
+            std::sort(joined_parameters.begin(), joined_parameters.end(), [](const auto& a, const auto& b) {
+                return std::uint32_t{a.image_id} < std::uint32_t{b.image_id};
+            });
+            auto place = [&](const spirv_cross::SPIRFunction::Parameter& parameter) {
+                return std::find_if(joined_parameters.begin(), joined_parameters.end(),
+                                    [&](const auto& joined) { return joined.id == parameter.id; });
+            };
+            std::sort(function.shadow_arguments.begin(), function.shadow_arguments.end(),
+                      [&](const auto& a, const auto& b) { return place(a) < place(b); });
+            for (const auto& joined : joined_parameters) {
                 std::uint32_t image = joined.image_id;
                 set_name(joined.id,
                          get_name(joined.global_image ? image : std::uint32_t{function.arguments[image].id}));

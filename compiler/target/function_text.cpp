@@ -69,7 +69,8 @@ std::string_view trimmed(std::string_view text) {
 std::size_t end_of_declaration(std::string_view text, std::size_t at) {
     int depth = 0;
     for (; at < text.size(); ++at) {
-        if (text[at] == '{') ++depth;
+        if (text[at] == '{' || text[at] == '(') ++depth;
+        if (text[at] == ')') --depth;
         if (text[at] == ';' && depth == 0) return at + 1;
         if (text[at] == '}' && --depth == 0) {
             std::size_t next = text.find_first_not_of(" \n", at + 1);

@@ -76,6 +76,17 @@ std::vector<RasterVertex> run_vertices(const Drawing& drawing, const SgBindings&
     return out;
 }
 
+// The texts of two versions of Metal are often the same.
+std::string library_of(const std::string& source) {
+    static std::map<std::string, std::string> files;
+    auto [at, fresh] =
+        files.try_emplace(source, (scratch() / fmt::format("texts{}.so", files.size())).string());
+    if (!fresh) return at->second;
+    Outcome compiled = run_clang(source, fmt::format("-O1 -shared -fPIC -o '{}'", at->second));
+    if (compiled.exit_code != 0) throw std::runtime_error("clang: " + compiled.text.substr(0, 2000));
+    return at->second;
+}
+
 template <typename Function>
 Function function_of(void* library, std::size_t text) {
     void* found = ::dlsym(library, fmt::format("sg_call_{}", text).c_str());
@@ -94,10 +105,7 @@ std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
     std::vector<Plan> plans;
     for (const Drawing& drawing : drawings)
         plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
-    auto library_file = scratch() / "texts.so";
-    Outcome compiled = run_clang(metal_source(texts.list, true),
-                                 fmt::format("-O1 -shared -fPIC -o '{}'", library_file.string()));
-    if (compiled.exit_code != 0) throw std::runtime_error("clang: " + compiled.text.substr(0, 2000));
+    const std::string library_file = library_of(metal_source(texts.list, true));
     void* library = ::dlopen(library_file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) throw std::runtime_error(::dlerror());
     std::vector<Pixels> out;

@@ -15,6 +15,15 @@ std::string without_address_spaces(const std::string& text) {
     return std::regex_replace(text, kOverload, "");
 }
 
+// Guards hold for the whole file, types for their namespace.
+std::string forgotten_guards(const std::string& text) {
+    static const std::regex kGuard("#define (SG_HAS_\\w+)");
+    std::string out;
+    for (std::sregex_iterator it(text.begin(), text.end(), kGuard), end; it != end; ++it)
+        out += fmt::format("#undef {}\n", (*it)[1].str());
+    return out;
+}
+
 std::string first(const std::string& text, const std::regex& pattern, const char* what) {
     std::smatch match;
     if (!std::regex_search(text, match, pattern))
@@ -88,8 +97,8 @@ std::string call_function(const std::string& text, std::size_t i) {
 std::string metal_source(const std::vector<std::string>& texts, bool callable) {
     std::string out = "#include <metal_stdlib>\n#include <simd/simd.h>\n#include \"glue.hpp\"\n";
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        out += fmt::format("namespace sg_text_{} {{\n#line 1 \"text{}.metal\"\n{}\n}}\n", i, i,
-                           without_address_spaces(texts[i]));
+        out += fmt::format("namespace sg_text_{} {{\n#line 1 \"text{}.metal\"\n{}\n}}\n{}", i, i,
+                           without_address_spaces(texts[i]), forgotten_guards(texts[i]));
     }
     out += "#line 1 \"calls\"\n";
     for (std::size_t i = 0; callable && i < texts.size(); ++i) out += call_function(texts[i], i);

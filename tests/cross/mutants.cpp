@@ -6,6 +6,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "tests/cross/results.hpp"
 #include "tests/cross/wgsl.hpp"
 
 namespace sg::cross {
@@ -86,6 +87,25 @@ void flip_t(Drawing& drawing) {
     }
 }
 
+// ---- of the function's caller ----
+
+void swap_arguments(Drawing& drawing) {
+    change(drawing.fragment.text, "made = (\\w+)\\((\\w+), (\\w+), (\\w+), (\\w+),",
+           "made = $1($2, $3, $5, $4,");
+}
+void flip_given_t(Drawing& drawing) {
+    const std::string vec2 =
+        drawing.target->language == Language::hlsl || drawing.target->language == Language::msl ? "float2"
+                                                                                                : "vec2";
+    change(drawing.fragment.text, "given.uv0 = ([^;]*);", "given.uv0 = " + vec2 + "($1.x, 1.0 - $1.y);");
+}
+void point_dy_up(Drawing& drawing) {
+    change(drawing.fragment.text, "given.uv0_dy = ", "given.uv0_dy = -1.0 * ");
+}
+void forget_back_faces(Drawing& drawing) {
+    change(drawing.fragment.text, "given.facing = [^;]*;", "given.facing = -1.0;");
+}
+
 void keep_clip_space(Drawing& drawing) {
     change(drawing.vertex.text, "\n *(\\w+\\.|)gl_Position.y = -[^\n]*", "");
 }
@@ -93,14 +113,24 @@ void keep_clip_space(Drawing& drawing) {
 }  // namespace
 
 std::vector<Mutant> mutants(const Sample& sample, const target::Target& target) {
-    const std::pair<const char*, void (*)(Drawing&)> kinds[] = {
-        {"two bindings swapped", swap_bindings},
-        {"a matrix transposed", transpose_matrix},
-        {"t flipped", flip_t},
-        {"Vulkan's clip space kept", keep_clip_space}};
+    struct Kind {
+        const char *name, *entry;
+        void (*make)(Drawing&);
+    };
+    const Kind kinds[] = {{"two bindings swapped", "normal", swap_bindings},
+                          {"a matrix transposed", "normal", transpose_matrix},
+                          {"t flipped", "normal", flip_t},
+                          {"Vulkan's clip space kept", "normal", keep_clip_space},
+                          {"two textures of the function swapped", "function", swap_arguments},
+                          {"t flipped for the function", "function", flip_given_t},
+                          {"a derivative of the function upward", "function", point_dy_up},
+                          {"the function told of back faces alone", "function", forget_back_faces}};
     std::vector<Mutant> out;
-    for (const auto& [name, make] : kinds) {
-        out.push_back({name, &target == &wgsl_recipe() ? wgsl_drawing(sample) : drawing(sample, target)});
+    for (const auto& [name, entry, make] : kinds) {
+        const auto shots = shots_of(target);
+        if (std::find(shots.begin(), shots.end(), &shown(entry)) == shots.end()) continue;
+        out.push_back({name, &target == &wgsl_recipe() ? wgsl_drawing(sample, shown(entry))
+                                                       : drawing(sample, target, shown(entry))});
         make(out.back().drawing);
     }
     return out;

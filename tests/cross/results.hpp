@@ -8,13 +8,22 @@
 
 namespace sg::cross {
 
+// How far a picture is from the SPIR-V's.
+struct Shot {
+    const Shown* shown = nullptr;
+    Difference difference;
+};
 struct Result {
     std::string sample;
     const target::Target* target = nullptr;
-    std::string skipped;  // "" or why nothing was checked
-    std::string refusal;  // "" or a tool's words about any entry point
-    Difference difference;
+    std::string skipped;      // "" or why nothing was checked
+    std::string refusal;      // "" or a tool's words about any entry point
+    std::vector<Shot> shots;  // in the order of shots_of
 };
+
+// What is drawn in a target: everything; of spirv, which the others are compared with, the function in
+// Vulkan's GLSL; in WGSL what has a SPIR-V.
+std::vector<const Shown*> shots_of(const target::Target& target);
 
 // Samples by name, in each the targets in their order. Made once, on the first call.
 const std::vector<Result>& results();
@@ -24,7 +33,7 @@ struct Limit {
     double largest = 0, p999 = 0;
     std::size_t one_alone = 0;  // pixels
 };
-Limit limit_of(const target::Target& target);
+Limit limit_of(const target::Target& target, const Shown& shown = shown("normal"));
 
 // The tools of a target, for people.
 std::string_view accepted_by(const target::Target& target);
@@ -33,9 +42,14 @@ std::string_view drawn_by(const target::Target& target);
 // "" or why a target cannot be checked here.
 std::string missing_tool(const target::Target& target);
 
-// Draws each; empty pictures where a text was refused. All of one target.
-std::vector<Pixels> draw_all(const std::vector<Drawing>& drawings);
+// Draws each. All of one target.
+struct Drawn {
+    Pixels pixels;  // empty where a text was refused
+    std::string refusal;
+};
+std::vector<Drawn> draw_all(const std::vector<Drawing>& drawings);
 // What to compare a drawing of `sample` with.
-const Pixels& expected(const Sample& sample, const target::Target& target);
+const Pixels& expected(const Sample& sample, const target::Target& target,
+                       const Shown& shown = shown("normal"));
 
 }  // namespace sg::cross

@@ -14,6 +14,7 @@
 #include "runtime/mesh/shapes.hpp"
 #include "runtime/parameters.hpp"
 #include "runtime/vertices.hpp"
+#include "tests/cross/function_caller.hpp"
 #include "tests/support/golden.hpp"
 
 namespace sg::cross {
@@ -121,6 +122,7 @@ Sample make_sample(const std::string& name, const std::string& suffix, const tar
     if (!compiled) fail(name, diags);
     MemoryFiles files;
     Sample out{.name = name + suffix};
+    for (const NamedText& text : compiled->glsl) out.glsl[text.name] = text.text;
     for (auto& [file, bytes] : compiled->files) {
         if (file.ends_with(".json")) out.manifest = bytes;
         bool text = !file.ends_with(".spv") && !file.ends_with(".json");
@@ -158,20 +160,38 @@ const Sample& base_sample(const Sample& sample) {
     return at->second;
 }
 
-Drawing drawing(const Sample& sample, const target::Target& target) {
-    const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
-    Drawing out{.sample = sample.name, .target = &target};
+std::span<const Shown> all_shown() {
+    static constexpr Shown kRows[] = {{"normal", "normal", "normal"},
+                                      {"forward", "forward", "lit"},
+                                      {"debug", "debug", "gradient"},
+                                      {"function", "forward", "lit"}};
+    return kRows;
+}
+
+const Shown& shown(std::string_view name) {
+    return *std::find_if(all_shown().begin(), all_shown().end(),
+                         [&](const Shown& s) { return s.name == name; });
+}
+
+Drawing drawing(const Sample& sample, const target::Target& target, const Shown& shown) {
+    const runtime::EntryPoint& entry = *sample.artefact.entry(shown.entry);
+    Drawing out{.sample = sample.name, .target = &target, .shown = &shown};
     const nlohmann::json manifest = nlohmann::json::parse(sample.manifest);
     for (const auto& row : manifest.at("entry_points")) {
-        if (row.at("name") != "normal") continue;
+        if (row.at("name") != shown.entry) continue;
         if (target.language == target::Language::spirv) {
             for (const auto& slot : row.at("bindings")) out.fragment.slots.push_back(read_slot(slot));
+            out.fragment.text = sample.glsl.at(std::string(shown.entry) + ".frag");
+            if (shown.name == "function") call_function(out.fragment.text, sample, target);
             continue;
         }
         out.vertex = read_stage(sample, row.at("stages").at(0), target);
         out.fragment = read_stage(sample, row.at("stages").at(1), target);
+        if (shown.name == "function") call_function(out.fragment.text, sample, target);
     }
     Diags diags;
+    const auto view = runtime::find_view(sample.artefact, shown.view, diags);
+    if (!view) fail(sample.name, diags);
     const asset::Instance& instance = scene().content.instances[0];
     auto mesh = runtime::prepare_mesh(scene().content.meshes[0], entry, sample.name, diags);
     if (!mesh) fail(sample.name, diags);
@@ -184,7 +204,8 @@ Drawing drawing(const Sample& sample, const target::Target& target) {
     }
     out.indices = mesh->indices;
     auto bounds = runtime::bounds_of(scene().content);
-    out.blocks = {bytes_of(runtime::frame_block(scene(), bounds, kSide, kSide, 0, 0)), sample.parameters,
+    out.blocks = {bytes_of(runtime::frame_block(scene(), bounds, kSide, kSide, 0, view->view.number)),
+                  sample.parameters,
                   bytes_of(runtime::object_block(scene().camera, instance.world_from_object))};
     for (std::size_t i = 0; i < sample.artefact.textures.size(); ++i) {
         out.textures[sample.artefact.textures[i].binding] = {&sample.textures.chains[i],
@@ -195,15 +216,15 @@ Drawing drawing(const Sample& sample, const target::Target& target) {
     return out;
 }
 
-Pixels render_words(const Sample& sample, const ShaderWords& words, Driver driver) {
+Pixels render_words(const Sample& sample, const ShaderWords& words, const Shown& shown, Driver driver) {
     runtime::Artefact artefact = sample.artefact;
     for (runtime::EntryPoint& entry : artefact.entries) {
-        if (entry.name != "normal") continue;
+        if (entry.name != shown.entry) continue;
         entry.vertex.words = words[0];
         entry.fragment.words = words[1];
     }
     Diags diags;
-    auto view = runtime::find_view(artefact, "normal", diags);
+    auto view = runtime::find_view(artefact, shown.view, diags);
     runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
     auto draw = [&](runtime::gpu::Device& device) {
         return runtime::render(device, artefact, sample.textures, scene(), *view, options, diags);
@@ -222,11 +243,12 @@ Pixels render_words(const Sample& sample, const ShaderWords& words, Driver drive
     return out;
 }
 
-const Pixels& reference(const Sample& sample, Driver driver) {
-    static std::map<std::pair<std::string, Driver>, Pixels> pictures;
-    auto [at, fresh] = pictures.try_emplace({sample.name, driver});
-    const runtime::EntryPoint& entry = *sample.artefact.entry("normal");
-    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words}, driver);
+const Pixels& reference(const Sample& sample, const Shown& what, Driver driver) {
+    static std::map<std::tuple<std::string, std::string_view, Driver>, Pixels> pictures;
+    const Shown& drawn = what.name == "function" ? shown("normal") : what;
+    auto [at, fresh] = pictures.try_emplace({sample.name, drawn.name, driver});
+    const runtime::EntryPoint& entry = *sample.artefact.entry(drawn.entry);
+    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words}, drawn, driver);
     return at->second;
 }
 
@@ -258,7 +280,7 @@ std::vector<float> linear_texels(const TextureView& view) {
     return out;
 }
 
-Difference compare(const Pixels& a, const Pixels& b) {
+Difference compare(const Pixels& a, const Pixels& b, const Shown& shown) {
     Difference out;
     std::vector<double> errors;
     for (std::size_t i = 0; i < std::size_t{kSide} * kSide; ++i) {
@@ -270,7 +292,9 @@ Difference compare(const Pixels& a, const Pixels& b) {
             double d = std::abs(double{p[c]} - double{q[c]});
             error = d <= error ? error : d;  // keeps what is not a number
         }
-        errors.push_back(error);
+        const double g2 =
+            shown.view == "gradient" ? double{p[0]} * p[0] + double{p[1]} * p[1] + double{p[2]} * p[2] : 0;
+        errors.push_back(error / (1 + g2));
     }
     out.both = errors.size();
     if (errors.empty()) return out;

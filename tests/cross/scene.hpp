@@ -4,7 +4,9 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/render.hpp"
@@ -41,11 +43,22 @@ struct TextureView {
     bool srgb = false;
 };
 
-// The entry point `normal` of one sample in one target; in a target of language spirv without texts, and with
-// all slots in `fragment`.
+// What is drawn: a view of an entry point. The entry point `function` shows the normal that it returns, in
+// the stages of `forward`.
+struct Shown {
+    std::string_view name;   // of the entry point
+    std::string_view entry;  // whose stages are drawn
+    std::string_view view;   // of the runtime
+};
+std::span<const Shown> all_shown();
+const Shown& shown(std::string_view name);
+
+// One entry point of one sample in one target; in a target of language spirv without texts, and with all
+// slots in `fragment`.
 struct Drawing {
     std::string sample;
     const target::Target* target = nullptr;
+    const Shown* shown = nullptr;
     Stage vertex, fragment;
     std::vector<Attribute> attributes;
     std::vector<std::uint32_t> indices;
@@ -61,6 +74,7 @@ struct Sample {
     runtime::Artefact artefact;
     runtime::TextureSet textures;
     std::vector<std::byte> parameters;
+    std::map<std::string, std::string> glsl;  // as generated, by "<entry>.<stage>"
     std::string manifest;
 };
 
@@ -70,13 +84,15 @@ const Sample& sample(const std::string& name);  // compiled once
 Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library);
 // The sample with level 0 of each texture alone.
 const Sample& base_sample(const Sample& sample);
-Drawing drawing(const Sample& sample, const target::Target& target);
+Drawing drawing(const Sample& sample, const target::Target& target, const Shown& shown = shown("normal"));
 
 // The SPIR-V render, or that of other shaders in its place. `words`: vertex and fragment.
 using ShaderWords = std::array<std::vector<std::uint32_t>, 2>;
 enum class Driver { llvmpipe, swiftshader };
-const Pixels& reference(const Sample& sample, Driver driver = Driver::llvmpipe);
-Pixels render_words(const Sample& sample, const ShaderWords& words, Driver driver = Driver::llvmpipe);
+const Pixels& reference(const Sample& sample, const Shown& shown = shown("normal"),
+                        Driver driver = Driver::llvmpipe);
+Pixels render_words(const Sample& sample, const ShaderWords& words, const Shown& shown = shown("normal"),
+                    Driver driver = Driver::llvmpipe);
 bool has_swiftshader();  // Chromium's, for Vulkan
 // What the validation layers said to all that llvmpipe drew.
 std::vector<std::string> validation_messages();
@@ -92,6 +108,7 @@ struct Difference {
     std::size_t both = 0;       // pixels that both cover
     std::size_t one_alone = 0;  // pixels that one covers and the other does not
 };
-Difference compare(const Pixels& a, const Pixels& b);
+// Gradients g count by 1 / (1 + g^2), in `a`.
+Difference compare(const Pixels& a, const Pixels& b, const Shown& shown = shown("normal"));
 
 }  // namespace sg::cross

@@ -139,7 +139,7 @@ TEST(Targets, GatherIsFourReadsInEssl300) {
                           .find("textureGather") == std::string::npos,
                   std::string_view(name) == "essl300");
         if (!missing_tool(target).empty()) GTEST_SKIP() << name << ": " << missing_tool(target);
-        Difference d = compare(reference(gathered), draw_all({drawing(gathered, target)}).at(0));
+        Difference d = compare(reference(gathered), draw_all({drawing(gathered, target)}).at(0).pixels);
         fmt::print("gather, {}: largest {:.2e}, 99.9 % {:.2e}\n", name, d.largest, d.p999);
         EXPECT_GT(d.both, 5000u);
         EXPECT_LE(d.p999, limit_of(target).p999);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -107,11 +108,10 @@ std::string wgsl_missing() {
     return kMissing;
 }
 
-Drawing wgsl_drawing(const Sample& sample) {
-    Drawing out = drawing(sample, wgsl_recipe());
-    for (auto [stage, name] :
-         {std::pair{&out.vertex, "normal.vert"}, std::pair{&out.fragment, "normal.frag"}}) {
-        const Written& shader = written(sample).at(name);
+Drawing wgsl_drawing(const Sample& sample, const Shown& shown) {
+    Drawing out = drawing(sample, wgsl_recipe(), shown);
+    for (auto [stage, name] : {std::pair{&out.vertex, ".vert"}, std::pair{&out.fragment, ".frag"}}) {
+        const Written& shader = written(sample).at(std::string(shown.entry) + name);
         if (!shader.refusal.empty()) throw std::runtime_error(sample.name + ": " + shader.refusal);
         stage->text = shader.text;
     }
@@ -122,18 +122,21 @@ std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) 
     for (const auto& [name, shader] : written(sample)) {
         if (!shader.refusal.empty()) return name + ": naga: " + shader.refusal;
     }
-    for (const auto& [name, shader] : written(sample)) texts.push_back(shader.text);
+    for (const auto& [name, shader] : written(sample)) {
+        const std::string entry = name.substr(0, name.find('.'));
+        if (std::none_of(all_shown().begin(), all_shown().end(),
+                         [&](const Shown& s) { return s.name == entry; }))
+            texts.push_back(shader.text);
+    }
     return "";
 }
 
-WgslOutcome wgsl_draw(const std::vector<Drawing>& drawings, const std::vector<std::string>& texts) {
+PageOutcome wgsl_draw(const std::vector<Drawing>& drawings, const std::vector<std::string>& texts) {
     Json input = {
         {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", texts}};
     for (const Drawing& drawing : drawings)
         input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    PageOutcome page =
-        run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
-    return {std::move(page.pictures), std::move(page.refusals)};
+    return run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
 }
 
 }  // namespace sg::cross
