@@ -58,6 +58,14 @@ void move_bindings(std::vector<std::uint32_t>& words, const std::vector<Slot>& s
     }
 }
 
+std::vector<std::uint32_t> read_words(const std::filesystem::path& file, const std::vector<Slot>& slots) {
+    const std::string bytes = test::read_file(file);
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), words.size() * 4);
+    move_bindings(words, slots);
+    return words;
+}
+
 // Texts by the file that they were written to: many targets, samples and drawings share them.
 std::map<std::string, std::string>& files() {
     static std::map<std::string, std::string> instance;
@@ -67,11 +75,7 @@ std::map<std::string, std::string>& files() {
 std::vector<std::uint32_t> to_words(const Stage& stage, bool vertex) {
     std::string refusal = hlsl_refusals({{stage.text, vertex}}).at(0);
     if (!refusal.empty()) throw std::runtime_error(refusal);
-    std::string bytes = test::read_file(files().at(stage.text) + ".spv");
-    std::vector<std::uint32_t> words(bytes.size() / 4);
-    std::memcpy(words.data(), bytes.data(), words.size() * 4);
-    move_bindings(words, stage.slots);
-    return words;
+    return read_words(files().at(stage.text) + ".spv", stage.slots);
 }
 
 }  // namespace
@@ -99,6 +103,28 @@ std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts) {
         out.push_back(log.find("refused\n") == log.npos && !log.empty() ? "" : "glslang: " + log);
     }
     return out;
+}
+
+std::vector<std::uint32_t> hlsl_engine(const std::string& text, const HlslInclude& include,
+                                       const std::string& entry, bool vertex,
+                                       const std::vector<Slot>& slots) {
+    static const std::pair<const char*, int> kAttributes[] = {
+        {"POSITION", 0}, {"NORMAL", 1}, {"TANGENT", 2}, {"TEXCOORD0", 4}, {"TEXCOORD1", 5}};
+    std::string located = text;
+    for (const auto& [semantic, location] : kAttributes) {
+        const std::regex row(fmt::format("(\\w+ \\w+ : {};)", semantic));
+        located = std::regex_replace(located, row, fmt::format("[[vk::location({})]] $1", location));
+    }
+    const auto source = scratch() / "engine.hlsl", result = scratch() / "engine.spv";
+    write_file(source, located);
+    write_file(scratch() / include.file, include.text);
+    const Outcome outcome =
+        run(fmt::format("glslangValidator -D -V --target-env vulkan1.1 -S {} -e {} --stb {} --ssb {} '-I{}' "
+                        "-o '{}' '{}' 2>&1",
+                        vertex ? "vert" : "frag", entry, kTextures, kSamplers, scratch().string(),
+                        result.string(), source.string()));
+    if (outcome.exit_code != 0) throw std::runtime_error("glslang: " + outcome.text);
+    return read_words(result, slots);
 }
 
 }  // namespace sg::cross

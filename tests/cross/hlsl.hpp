@@ -16,4 +16,13 @@ struct HlslText {
 // "" or what glslang's HLSL front end says, by text; two child processes at a time.
 std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts);
 
+// An engine's own shader with a file that it includes, and registers as `slots` has them. Its locations
+// follow the order of its varyings, and those of vertex attributes the semantics; clip space is Vulkan's.
+// Throws.
+struct HlslInclude {
+    std::string file, text;
+};
+std::vector<std::uint32_t> hlsl_engine(const std::string& text, const HlslInclude& include,
+                                       const std::string& entry, bool vertex, const std::vector<Slot>& slots);
+
 }  // namespace sg::cross
