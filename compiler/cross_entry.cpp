@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "shader_source.hpp"
+#include "target/lacks.hpp"
 
 namespace sg {
 std::optional<std::vector<CrossFile>> cross_entry(const emit::Shaders& shaders, const std::string& name,

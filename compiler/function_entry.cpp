@@ -6,6 +6,7 @@
 #include "shader_source.hpp"
 #include "target/cross.hpp"
 #include "target/function_text.hpp"
+#include "target/lacks.hpp"
 
 namespace sg {
 namespace {

@@ -11,8 +11,12 @@ cbuffer Object : register(b0, space2) {
     float4x4 normal_from_object;  // cofactors of the first, times the sign of its determinant, which _44 holds too
 };
 
-// Two materials' parameters may lie in one buffer. The members lie as the manifest's parameter_block says.
-cbuffer Material : register(b0, space1) { SgMaterialParameters_layered layered; };
+// Offsets as in the manifest's parameter_block. HLSL would pack the struct more tightly than that.
+cbuffer Material : register(b0, space1) {
+    float pebbles : packoffset(c0.x);
+    float2 grain : packoffset(c0.z);
+    float3 tint : packoffset(c1.x);
+};
 Texture2D<float4> ramp : register(t1, space1);
 Texture2D<float4> pebble : register(t2, space1);
 Texture2D<float4> weave : register(t3, space1);
@@ -65,8 +69,13 @@ float4 pixel_main(Varyings v, bool front : SV_IsFrontFace) : SV_Target {
     inputs.uv1_dx = ddx_fine(v.uv1);
     inputs.uv1_dy = ddy_fine(v.uv1);
 
+    SgMaterialParameters_layered parameters;
+    parameters.p_pebbles = pebbles;
+    parameters.p_grain = grain;
+    parameters.p_tint = tint;
+
     SgMaterialResult surface =
-        sg_material_layered(inputs, layered, ramp, pebble, weave, scratch, linear_repeat, scratch_sampler);
+        sg_material_layered(inputs, parameters, ramp, pebble, weave, scratch, linear_repeat, scratch_sampler);
     if (surface.opacity < surface.cutoff) discard;
 
     // The engine's own lighting would stand here, with surface.base_color, .roughness and the rest.

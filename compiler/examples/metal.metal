@@ -46,7 +46,8 @@ vertex Varyings vertex_main(Vertex in [[stage_in]], constant Camera& camera [[bu
     return out;
 }
 
-// The engine fills SgMaterialParameters_layered by its members.
+// The engine fills SgMaterialParameters_layered by its members: Metal aligns a float3 to 16 bytes and makes it as
+// long, which std140, and so the manifest's offsets, does not.
 fragment float4 fragment_main(Varyings in [[stage_in]], constant SgMaterialParameters_layered& layered [[buffer(1)]],
                               texture2d<float> ramp [[texture(0)]], texture2d<float> pebble [[texture(1)]],
                               texture2d<float> weave [[texture(2)]], texture2d<float> scratch [[texture(3)]],

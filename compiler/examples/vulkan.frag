@@ -12,7 +12,7 @@ layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec2 uv1;
 layout(location = 0) out vec4 out_normal;
 
-// The members lie as the manifest's parameter_block says. Bindings are the engine's own affair.
+// In std140 the members lie as the manifest's parameter_block says. Bindings are the engine's own affair.
 layout(set = 1, binding = 0) uniform Material { SgMaterialParameters_layered layered; } material;
 layout(set = 1, binding = 1) uniform texture2D ramp;
 layout(set = 1, binding = 2) uniform texture2D pebble;

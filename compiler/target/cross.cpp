@@ -302,39 +302,7 @@ std::string function_in_glsl(const Words& words, const Target& target, std::stri
     return compiler.compile();
 }
 
-// ---- what a target cannot express ----
-
-// The number of an OpConstant; 0 for anything else.
-std::uint32_t constant(std::span<const std::uint32_t> words, std::uint32_t id) {
-    for (std::size_t i = 5; i + 3 < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
-        if ((words[i] & 0xFFFFu) == spv::OpConstant && words[i + 2] == id) return words[i + 3];
-    }
-    return 0;
-}
-
-// ESSL 3.00 has no gather; the prelude stands for that of red without offsets.
-bool is_other_gather(std::span<const std::uint32_t> words, std::size_t at) {
-    std::uint32_t op = words[at] & 0xFFFFu, length = words[at] >> 16u;
-    if (op == spv::OpImageDrefGather) return true;
-    return op == spv::OpImageGather && (length > 6 || constant(words, words[at + 5]) != 0);
-}
-
 }  // namespace
-
-std::string missing_feature(std::span<const std::uint32_t> words, const Target& target) {
-    if (target.language != Language::essl) return "";
-    for (std::size_t i = 5; i < words.size(); i += std::max<std::uint32_t>(1, words[i] >> 16u)) {
-        std::uint32_t op = words[i] & 0xFFFFu;
-        if (op == spv::OpImageQueryLod) return "asks for the level of detail of a texture (textureQueryLod)";
-        if (op == spv::OpImageQueryLevels)
-            return "asks for the number of levels of a texture (textureQueryLevels)";
-        if (target.version < 310 && is_other_gather(words, i)) {
-            return "gathers texels of another channel than red, with offsets or with a comparison "
-                   "(textureGather)";
-        }
-    }
-    return "";
-}
 
 namespace {
 

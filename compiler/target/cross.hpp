@@ -51,8 +51,4 @@ std::optional<std::string> cross_compile_function(const Words& words, const Targ
                                                   std::span<const std::string_view> shared,
                                                   std::string& fault);
 
-// "" or what the shader does that the target cannot express, as in "reads the level of detail of a texture".
-// `words` are those of the source without the target's prelude.
-std::string missing_feature(std::span<const std::uint32_t> words, const Target& target);
-
 }  // namespace sg::target

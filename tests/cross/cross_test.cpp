@@ -111,7 +111,7 @@ TEST_P(EveryTarget, GoldenTexts) {
             if (other == &target) break;
             if (all_texts(sample(name), *other) == text) text = fmt::format("as {}\n", other->name);
         }
-        test::expect_golden(fmt::format("cross/golden/{}.{}.txt", name, target.name), text);
+        test::expect_golden(fmt::format("cross/golden/{}.{}.texts", name, target.name), text);
     }
 }
 INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, testing::ValuesIn(every_target()), [](const auto& row) {

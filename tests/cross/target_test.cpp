@@ -183,5 +183,63 @@ TEST(Targets, WhatATargetLacksIsRefusedByName) {
               "cannot express [SG1401]\n");
 }
 
+// Each is written wrong or refused in the cross-compiler's own words where nobody looks before.
+TEST(Targets, WhatATextWouldSayWrongIsRefusedByName) {
+    struct Case {
+        const char* body;
+        std::vector<std::string> fine, refused;
+        const char* what;
+    };
+    const std::string plain = "return textureGrad(sampler2D(image, filtering), uv.st, uv.dx, uv.dy)";
+    const Case cases[] = {
+        {" * float(bitCount(uint(uv.st.x)));",
+         {"hlsl", "msl", "glsl", "essl310"},
+         {"essl300"},
+         "works on single bits (bitfieldExtract and its kin)"},
+        {" * unpackUnorm4x8(uint(uv.st.x));",
+         {"hlsl", "msl", "glsl", "essl310"},
+         {"essl300"},
+         "packs four numbers into one (packUnorm4x8 and its kin)"},
+        {" * ldexp(uv.st.x, 2);",
+         {"hlsl", "msl", "glsl", "essl310"},
+         {"essl300"},
+         "takes numbers apart (frexp, ldexp)"},
+        {" * asinh(uv.st.x);",
+         {"msl", "glsl", "essl"},
+         {"hlsl50", "hlsl60"},
+         "asks for an area hyperbolic function (asinh, acosh, atanh)"},
+        {" * float(double(uv.st.x) * double(uv.st.y));",
+         {"hlsl", "glsl"},
+         {"msl21", "msl23", "essl300", "essl310"},
+         "computes in double precision"},
+        {" * textureQueryLod(sampler2D(image, filtering), uv.st).x;",
+         {"hlsl", "msl23", "glsl"},
+         {"msl21", "essl300", "essl310"},
+         "asks for the level of detail of a texture (textureQueryLod)"},
+        {" * textureGatherOffsets(sampler2D(image, filtering), uv.st, ivec2[4](ivec2(0), ivec2(1), ivec2(2), "
+         "ivec2(3)));",
+         {"glsl"},
+         {"hlsl50", "hlsl60", "msl21", "msl23", "essl310"},
+         "gathers texels with four offsets (textureGatherOffsets)"},
+    };
+    for (const Case& row : cases) {
+        EXPECT_EQ(messages_of(plain + row.body, row.fine), "") << row.body;
+        std::string expected;
+        for (const std::string& target : row.refused)
+            expected +=
+                fmt::format("error: 'wall.normal' {}, which {} cannot express [SG1401]\n", row.what, target);
+        EXPECT_EQ(messages_of(plain + row.body, row.refused), expected);
+    }
+    std::string carry, expected;
+    carry = "uint carry; uint sum = uaddCarry(uint(uv.st.x), 7u, carry); " + plain + " * float(sum + carry);";
+    for (const char* target : {"hlsl50", "hlsl60", "essl300"})
+        expected += fmt::format(
+            "error: 'wall.normal' adds or subtracts with a carry (uaddCarry, usubBorrow), which {} "
+            "cannot express [SG1401]\n",
+            target);
+    EXPECT_EQ(messages_of(carry, {"hlsl", "essl300"}), expected);
+    EXPECT_EQ(messages_of(carry, {"msl", "glsl", "essl310"}), "");
+}
+
 }  // namespace
 }  // namespace sg::cross
