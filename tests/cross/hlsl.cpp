@@ -7,7 +7,6 @@
 #include <regex>
 #include <stdexcept>
 
-#include "target/spirv.hpp"
 #include "tests/cross/process.hpp"
 #include "tests/support/golden.hpp"
 
@@ -64,11 +63,7 @@ std::vector<std::uint32_t> read_words(const std::filesystem::path& file, const s
     std::vector<std::uint32_t> words(bytes.size() / 4);
     std::memcpy(words.data(), bytes.data(), words.size() * 4);
     move_bindings(words, slots);
-    // As what is shipped: a driver takes several times as long over what nobody has optimised.
-    std::string fault;
-    auto optimised = target::run_optimizer(words, target::Optimise::speed, fault);
-    if (!optimised) throw std::runtime_error(fault);
-    return std::move(*optimised);
+    return words;
 }
 
 // Texts by the file that they were written to: many targets, samples and drawings share them.

@@ -244,12 +244,12 @@ const Pixels& expected(const Sample& sample, const Target& target, const Shown& 
 }
 
 std::vector<const Shown*> shots_of(const Target& target) {
+    std::vector<std::string_view> names = {"normal", "forward", "debug", "function"};
+    if (target.language == Language::hlsl) names = {"normal", "function"};
+    if (target.language == Language::spirv) names = {"function"};
+    if (is_recipe(target)) names = {"normal", "forward"};
     std::vector<const Shown*> out;
-    for (const Shown& what : all_shown()) {
-        const bool function = what.name == "function";
-        if (is_recipe(target) ? !function : target.language != Language::spirv || function)
-            out.push_back(&what);
-    }
+    for (std::string_view name : names) out.push_back(&shown(name));
     return out;
 }
 
