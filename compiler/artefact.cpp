@@ -165,6 +165,7 @@ Json textures_json(const ArtefactInput& input) {
                        {"green", t.facts.green_up ? "up" : "down"},
                        {"zero", t.facts.zero},
                        {"color_space", t.color_space == material::ColorSpace::srgb ? "srgb" : "linear"}});
+        if (!t.parameter.empty()) out.back()["parameter"] = t.parameter;
         if (t.facts.swizzle != layers::TextureFacts{}.swizzle) {
             std::string letters;
             for (std::uint32_t channel : t.facts.swizzle) letters += "rgba"[channel];
@@ -177,6 +178,7 @@ Json textures_json(const ArtefactInput& input) {
 // What was read beside the material itself and its textures.
 Json sources_json(const ArtefactInput& input) {
     Json out = Json::array();
+    for (const auto& [file, hash] : input.material->bases) out.push_back({{"file", file}, {"hash", hash}});
     for (const material::CheckedShader& shader : input.material->shaders)
         out.push_back({{"file", shader.file}, {"hash", shader.hash}});
     return out;
@@ -215,7 +217,8 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
                      {"source", {{"file", input.source_file}, {"hash", input.source_hash}}},
                      {"two_sided", word(input.material->surface.two_sided)},
                      {"entry_points", entries}};
-    if (!input.material->shaders.empty()) manifest["sources"] = sources_json(input);
+    if (!input.material->shaders.empty() || !input.material->bases.empty())
+        manifest["sources"] = sources_json(input);
     if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
     manifest["textures"] = textures_json(input);
     manifest["samplers"] = samplers_json(input);

@@ -198,11 +198,18 @@ Json texture_definition() {
                   {"file", "encoding"});
 }
 
+Json parameter_value() {
+    return {{"anyOf",
+             {{{"type", "number"}},
+              {{"type", "boolean"}},
+              {{"type", "string"}, {"minLength", 1}},
+              {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
+}
+
 Json parameter_definition() {
-    constexpr std::string_view kTypes[] = {"float", "vec2", "vec3", "vec4", "color"};
-    Json any = {{"anyOf",
-                 {{{"type", "number"}},
-                  {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
+    constexpr std::string_view kTypes[] = {"float", "vec2", "vec3", "vec4",
+                                           "color", "bool", "int",  "texture"};
+    Json any = parameter_value();
     return object({{"type", words(kTypes)},
                    {"default", any},
                    {"range", numbers(2, {{"type", "number"}})},
@@ -257,17 +264,27 @@ std::string schema_text() {
         object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}},
                {"layers"});
     Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "surfgrad material"}};
-    out.update(object({{"$schema", {{"type", "string"}}},
-                       {"version", {{"const", material::kVersion}}},
-                       {"name", reference("name")},
-                       {"description", {{"type", "string"}}},
-                       {"parameters", named(parameter_definition())},
-                       {"textures", named(texture_definition())},
-                       {"nodes", named(reference("node"))},
-                       {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
-                       {"surface", surface_definition()},
-                       {"budget", budget_definition()}},
-                      {"version"}));
+    Json whole = object({{"$schema", {{"type", "string"}}},
+                         {"version", {{"const", material::kVersion}}},
+                         {"name", reference("name")},
+                         {"description", {{"type", "string"}}},
+                         {"parameters", named(parameter_definition())},
+                         {"textures", named(texture_definition())},
+                         {"nodes", named(reference("node"))},
+                         {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
+                         {"surface", surface_definition()},
+                         {"budget", budget_definition()}},
+                        {"version"});
+    Json instance = object({{"$schema", {{"type", "string"}}},
+                            {"version", {{"const", material::kVersion}}},
+                            {"name", reference("name")},
+                            {"description", {{"type", "string"}}},
+                            {"extends", {{"type", "string"}, {"minLength", 1}}},
+                            {"parameters", named(parameter_value())}},
+                           {"version", "extends"});
+    out["if"] = {{"required", {"extends"}}};
+    out["then"] = instance;
+    out["else"] = whole;
     out["definitions"] = definitions;
     return out.dump(2) + "\n";
 }

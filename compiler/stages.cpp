@@ -7,6 +7,7 @@
 #include "base/ice.hpp"
 #include "custom_shaders.hpp"
 #include "json/json.hpp"
+#include "material/instance.hpp"
 #include "opt/optimise.hpp"
 
 namespace sg {
@@ -16,7 +17,11 @@ std::optional<material::CheckedMaterial> read_and_check(const SourcePtr& source,
     std::optional<json::Document> document = json::parse(source, diags);
     if (!document) return std::nullopt;
     std::size_t before = diags.error_count();
-    material::Material read = material::read(*document, diags);
+    const std::filesystem::path folder = roots.folders.empty() ? "." : roots.folders.front();
+    const std::filesystem::path name = std::filesystem::path(source->name).filename();
+    material::Material read =
+        material::read_whole(*document, files.canonical(folder / name), roots, files, diags);
+    if (read.incomplete) return std::nullopt;
     std::optional<material::CheckedMaterial> checked = material::check(read, files, roots, diags);
     return diags.error_count() == before ? std::move(checked) : std::nullopt;
 }

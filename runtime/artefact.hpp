@@ -56,7 +56,7 @@ struct EntryPoint {
 
 struct Parameter {
     std::string name;
-    std::string type;  // "float", "vec2", "vec3", "vec4" or "color"
+    std::string type;  // "float", "vec2", "vec3", "vec4", "color", "bool" or "int"; the last two are floats, too
     std::size_t offset = 0;
     std::vector<float> initial;  // 1 to 4 numbers, as the type says
     std::optional<std::array<double, 2>> range;

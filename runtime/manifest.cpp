@@ -172,8 +172,9 @@ EntryPoint read_entry(const Node& node) {
 }
 
 Parameter read_parameter(const Node& node, std::size_t block_size) {
-    static constexpr std::array<std::string_view, 5> kTypes = {"float", "vec2", "vec3", "vec4", "color"};
-    static constexpr std::array<std::size_t, 5> kComponents = {1, 2, 3, 4, 3};
+    static constexpr std::array<std::string_view, 7> kTypes = {"float", "vec2", "vec3", "vec4",
+                                                               "color", "bool", "int"};
+    static constexpr std::array<std::size_t, 7> kComponents = {1, 2, 3, 4, 3, 1, 1};
     constexpr double kFloatMax = 3.4028234663852886e38;
     Parameter parameter;
     parameter.name = node.at("name").text_or_empty();

@@ -29,7 +29,21 @@ const Parameter* find(const Artefact& artefact, std::string_view name, Diags& di
 }
 
 std::optional<std::vector<float>> values_of(const Parameter& parameter, std::string_view text, Diags& diags) {
+    const bool is_bool = parameter.type == "bool";
+    if (is_bool && (text == "true" || text == "false")) text = text == "true" ? "1" : "0";
     auto numbers = parse_numbers(text);
+    if (numbers && is_bool && *numbers != std::vector{0.0} && *numbers != std::vector{1.0}) numbers.reset();
+    if (numbers && parameter.type == "int" && numbers->size() == 1 &&
+        std::floor((*numbers)[0]) != (*numbers)[0])
+        numbers.reset();
+    if (!numbers && (is_bool || parameter.type == "int")) {
+        diags.error(
+            Code::bad_argument,
+            fmt::format("parameter '{}' is {}, not '{}'", printable(parameter.name),
+                        is_bool ? "a bool: expected true or false" : "an int: expected a whole number",
+                        printable(text)));
+        return std::nullopt;
+    }
     if (!numbers || numbers->size() != parameter.initial.size()) {
         diags.error(Code::bad_argument,
                     fmt::format("parameter '{}' is a {}: expected {} number{} separated by commas, not '{}'",

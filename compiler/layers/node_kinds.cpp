@@ -39,6 +39,16 @@ ValueId mix_color(LowerContext& context, FieldValues values) {
     return context.builder().add(Op::mix_color, {a, b, context.number(values[2])});
 }
 
+ValueId select(LowerContext& context, FieldValues values) {
+    ValueId a = context.number(values[1]), b = context.number(values[2]);
+    return context.builder().add(Op::mix, {b, a, context.number(values[0])});
+}
+
+ValueId select_color(LowerContext& context, FieldValues values) {
+    ValueId a = context.color(values[1]), b = context.color(values[2]);
+    return context.builder().add(Op::mix_color, {b, a, context.number(values[0])});
+}
+
 ValueId one_minus(LowerContext& context, FieldValues values) {
     return context.builder().add(Op::subtract, {context.constant(1), context.number(values[0])});
 }
@@ -141,6 +151,14 @@ Field range(std::string_view name, std::string_view doc, bool required = false) 
             .maximum = 1e6,
             .doc = doc};
 }
+Field condition() {
+    return {.name = "condition",
+            .kind = FieldKind::number,
+            .required = true,
+            .minimum = 0,
+            .maximum = 1,
+            .doc = "1 or true for a, 0 or false for b; between them a mix"};
+}
 Field channel(std::string_view doc) {
     return {.name = "channel", .kind = FieldKind::choice, .choices = {"r", "g", "b", "a"}, .doc = doc};
 }
@@ -211,6 +229,11 @@ std::vector<NodeKind> arithmetic() {
          .result = Type::Scalar,
          .fields = {a, b, t},
          .lower = three_numbers<Op::mix>},
+        {.name = "select",
+         .doc = "one of two, by a bool parameter",
+         .result = Type::Scalar,
+         .fields = {condition(), number("a", "where the condition is 1"), number("b", "where it is 0")},
+         .lower = select},
         {.name = "clamp",
          .doc = "x kept within two bounds",
          .result = Type::Scalar,
@@ -228,6 +251,12 @@ std::vector<NodeKind> arithmetic() {
          .fields = {x, range("from", "the range of x", true), range("to", "the range of the result", true)},
          .check = check_remap,
          .lower = remap},
+    };
+}
+
+std::vector<NodeKind> color_arithmetic() {
+    Field t = number("t", "0 gives a, 1 gives b");
+    return {
         {.name = "add_color",
          .doc = "a + b, per channel",
          .result = Type::Color,
@@ -238,6 +267,11 @@ std::vector<NodeKind> arithmetic() {
          .result = Type::Color,
          .fields = {color("a", "first colour"), color("b", "second colour")},
          .lower = two_colors<Op::multiply_color>},
+        {.name = "select_color",
+         .doc = "one of two colours, by a bool parameter",
+         .result = Type::Color,
+         .fields = {condition(), color("a", "where the condition is 1"), color("b", "where it is 0")},
+         .lower = select_color},
         {.name = "mix_color",
          .doc = "a (1 - t) + b t, per channel",
          .result = Type::Color,
@@ -328,6 +362,7 @@ std::span<const NodeKind> all_node_kinds() {
         kinds.push_back(decal_mask());
         kinds.push_back(decal_color());
         for (NodeKind& kind : arithmetic()) kinds.push_back(std::move(kind));
+        for (NodeKind& kind : color_arithmetic()) kinds.push_back(std::move(kind));
         return kinds;
     }();
     return kKinds;

@@ -64,6 +64,18 @@ void Checker::ids() {
     }
 }
 
+// Those of type texture are no numbers: they stand for a texture.
+void Checker::parameters() {
+    for (const ParameterDecl& p : in.parameters) {
+        if (p.type == ParameterType::texture) {
+            parameter_index.emplace_back();
+            continue;
+        }
+        parameter_index.push_back({static_cast<std::uint32_t>(out.parameters.size())});
+        out.parameters.push_back({p.name.value, p.type, p.fallback, p.range, p.label, p.unit});
+    }
+}
+
 void Checker::surface() {
     const SurfaceDecl& s = in.surface;
     expression(s.base_color, FieldKind::color, {0, 1}, out.surface.base_color);
@@ -77,13 +89,14 @@ void Checker::surface() {
 }
 
 std::string_view parameter_type_name(ParameterType type) {
-    constexpr std::string_view kNames[] = {"float", "vec2", "vec3", "vec4", "color"};
+    constexpr std::string_view kNames[] = {"float", "vec2", "vec3", "vec4",
+                                           "color", "bool", "int",  "texture"};
     return kNames[static_cast<std::size_t>(type)];
 }
 
 ir::Type ir_type(ParameterType type) {
-    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2, ir::Type::Vec3, ir::Type::Vec4,
-                                   ir::Type::Color};
+    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2,   ir::Type::Vec3,  ir::Type::Vec4,
+                                   ir::Type::Color,  ir::Type::Scalar, ir::Type::Scalar};
     return kTypes[static_cast<std::size_t>(type)];
 }
 
@@ -93,9 +106,8 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     Checker checker{material, files, roots, diags};
     checker.out.name =
         material.name.empty() ? std::filesystem::path(material.source->name).stem().string() : material.name;
-    for (const ParameterDecl& p : material.parameters) {
-        checker.out.parameters.push_back({p.name.value, p.type, p.fallback, p.range, p.label, p.unit});
-    }
+    checker.out.bases = material.bases;
+    checker.parameters();
     checker.out.budget = material.budget;
     checker.index_names();
     checker.ids();

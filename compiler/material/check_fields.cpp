@@ -27,7 +27,8 @@ std::string hint(std::string_view name, const std::vector<Decl>& decls, std::str
 
 std::span<const ParameterType> types_for(FieldKind kind) {
     using enum ParameterType;
-    static constexpr ParameterType kNumber[] = {scalar}, kPair[] = {scalar, vec2}, kColor[] = {color, vec3};
+    static constexpr ParameterType kNumber[] = {scalar, integer, boolean}, kPair[] = {scalar, vec2, integer},
+                                   kColor[] = {color, vec3};
     if (kind == FieldKind::pair) return kPair;
     return kind == FieldKind::color ? std::span<const ParameterType>(kColor) : kNumber;
 }
@@ -36,19 +37,24 @@ std::span<const ParameterType> types_for(FieldKind kind) {
 
 std::optional<std::size_t> Checker::find_texture(const std::string& name, const At& at) {
     if (auto found = textures_by_name.find(name); found != textures_by_name.end()) return found->second;
+    if (name.starts_with('$')) {
+        static constexpr ParameterType kTexture[] = {ParameterType::texture};
+        find_parameter(name.substr(1), at, kTexture);  // says what is wrong
+        return std::nullopt;
+    }
     error(Code::unknown_texture, at,
           fmt::format("unknown texture '{}'{}", printable(name), hint(name, in.textures, "textures")));
     return std::nullopt;
 }
 
-ir::ParameterId Checker::find_parameter(const std::string& name, const At& at,
-                                        std::span<const ParameterType> types) {
+const ParameterDecl* Checker::find_parameter(const std::string& name, const At& at,
+                                             std::span<const ParameterType> types) {
     auto found = parameters_by_name.find(name);
     if (found == parameters_by_name.end()) {
         error(Code::unknown_parameter, at,
               fmt::format("unknown parameter '{}'{}", printable(name),
                           hint(name, in.parameters, "parameters")));
-        return {};
+        return nullptr;
     }
     const ParameterDecl& decl = in.parameters[found->second];
     if (!decl.faulty && std::find(types.begin(), types.end(), decl.type) == types.end()) {
@@ -59,13 +65,20 @@ ir::ParameterId Checker::find_parameter(const std::string& name, const At& at,
                           parameter_type_name(decl.type), one_of(expected)),
               {note("it is declared here", decl.name.at)});
     }
-    return {static_cast<std::uint32_t>(found->second)};
+    return &decl;
+}
+
+ir::ParameterId Checker::id_of(const ParameterDecl& decl) const {
+    return parameter_index[static_cast<std::size_t>(&decl - in.parameters.data())];
 }
 
 void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range limits) {
+    if (decl.type == ParameterType::texture) return;
     auto outside = [&](double x) { return x < limits.minimum || x > limits.maximum; };
     std::string found;
-    if (decl.range && (outside((*decl.range)[0]) || outside((*decl.range)[1]))) {
+    if (decl.type == ParameterType::boolean && (outside(0) || outside(1))) {
+        found = "may be 0 (false) or 1 (true)";
+    } else if (decl.range && (outside((*decl.range)[0]) || outside((*decl.range)[1]))) {
         found = fmt::format("may be {} to {}", (*decl.range)[0], (*decl.range)[1]);
     } else {
         std::size_t count = ir::component_count(ir_type(decl.type));
@@ -87,9 +100,9 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
             std::copy(written.numbers.begin(), written.numbers.end(), value.number.begin());
             return;
         case Expression::Kind::parameter:
-            value.parameter = find_parameter(written.name, written.at, types_for(kind));
-            if (value.parameter.valid() && !in.parameters[value.parameter.index].faulty) {
-                parameter_limits(in.parameters[value.parameter.index], written.at, limits);
+            if (const ParameterDecl* decl = find_parameter(written.name, written.at, types_for(kind))) {
+                value.parameter = id_of(*decl);
+                if (!decl->faulty) parameter_limits(*decl, written.at, limits);
             }
             return;
         case Expression::Kind::node_name: {

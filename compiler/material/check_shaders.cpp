@@ -10,7 +10,8 @@ namespace sg::material {
 using layers::Argument;
 using layers::FieldKind;
 
-std::optional<std::size_t> Checker::shader(const std::string& file, const At& at) {
+std::optional<std::size_t> Checker::shader(const std::string& written, const At& at) {
+    const std::string file = written.empty() ? written : from_material(written);
     auto known = std::find_if(out.shaders.begin(), out.shaders.end(),
                               [&](const CheckedShader& s) { return s.file == file; });
     if (known != out.shaders.end()) return static_cast<std::size_t>(known - out.shaders.begin());
@@ -62,10 +63,11 @@ Argument Checker::argument(const ArgumentDecl& decl) {
     }
     if (written.kind == Expression::Kind::parameter) {
         using enum ParameterType;
-        static constexpr ParameterType kAll[] = {scalar, vec2, vec3, vec4, color};
+        static constexpr ParameterType kAll[] = {scalar, vec2, vec3, vec4, color, boolean, integer};
         value.kind = Argument::Kind::parameter;
-        value.parameter = find_parameter(written.name, written.at, kAll);
-        if (value.parameter.valid()) value.type = ir_type(in.parameters[value.parameter.index].type);
+        if (const ParameterDecl* found = find_parameter(written.name, written.at, kAll))
+            value.parameter = id_of(*found);
+        if (value.parameter.valid()) value.type = ir_type(out.parameters[value.parameter.index].type);
         return value;
     }
     layers::FieldValue found;

@@ -11,11 +11,6 @@ using enum ir::TextureEncoding;
 
 namespace {
 
-bool inside(const fs::path& path, const fs::path& root) {
-    auto [root_end, path_at] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-    return root_end == root.end();
-}
-
 bool holds_directions(ir::TextureEncoding encoding) {
     return encoding == tangent_normal || encoding == tangent_normal_xy || encoding == derivative;
 }
@@ -50,37 +45,14 @@ std::vector<bool> Checker::used_textures() const {
     return used;
 }
 
+// Paths in a material that is extended stand relative to its own folder.
+std::string Checker::from_material(const std::string& file) const {
+    return in.folder.empty() ? file : (fs::path(in.folder) / file).lexically_normal().generic_string();
+}
+
 std::optional<std::string> Checker::file_below_roots(const std::string& file, const At& at) {
-    fs::path written(file);
-    bool relative = !written.is_absolute() && file.find('\0') == std::string::npos;
-    std::vector<fs::path> folders;
-    for (const fs::path& folder : roots.folders)
-        folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
-    bool escaped = true;  // from all roots, for every folder that it could be relative to
-    for (const fs::path& folder : folders) {
-        if (!relative) break;
-        fs::path path = files.canonical(folder / written);
-        if (std::none_of(folders.begin(), folders.end(),
-                         [&](const fs::path& root) { return inside(path, root); }))
-            continue;
-        escaped = false;
-        if (!files.exists(path)) continue;
-        Files::ReadResult result = files.read(path);
-        if (result.status == Files::Status::ok) return std::move(result.bytes);
-        error(Code::file_unreadable, at, fmt::format("cannot read '{}': {}", printable(file), result.reason));
-        return std::nullopt;
-    }
-    if (escaped) {
-        error(Code::path_escapes, at,
-              fmt::format("path '{}' leaves the material's folder, expected a relative path below it or "
-                          "below an -I root",
-                          printable(file)));
-    } else {
-        error(Code::file_missing, at,
-              fmt::format("file '{}' does not exist, looked below the material's folder{}", printable(file),
-                          roots.folders.size() > 1 ? " and every -I root" : ""));
-    }
-    return std::nullopt;
+    auto found = find_file(file, at, in.source, roots, files, diags);
+    return found ? std::optional(std::move(found->bytes)) : std::nullopt;
 }
 
 // How many channels an encoding has; 0: it cannot be swizzled, for what reads it gathers texels of red.
@@ -106,8 +78,10 @@ void Checker::swizzle(const TextureDecl& decl, layers::TextureFacts& facts) {
     constexpr std::string_view kLetters = "rgba";
     const std::string& written = decl.swizzle.value;
     if (decl.swizzle.at.pointer.empty() || decl.faulty) return;
+    const bool report = decl.parameter.empty();  // else the declared texture says it
     std::string_view encoding = ir::encoding_name(decl.encoding);
     std::size_t count = channel_count(decl.encoding);
+    if (count == 0 && !report) return;
     if (count == 0) {
         error(Code::unused_setting, decl.swizzle.at,
               fmt::format("'swizzle' means nothing for the encoding '{}', which is read from red", encoding));
@@ -121,7 +95,7 @@ void Checker::swizzle(const TextureDecl& decl, layers::TextureFacts& facts) {
         good = good && channel != kLetters.npos && !again;
         if (good) facts.swizzle[i] = static_cast<std::uint32_t>(channel);
     }
-    if (good) return;
+    if (good || !report) return;
     error(Code::unknown_choice, decl.swizzle.at,
           fmt::format("'swizzle' is '{}', expected {} of the letters r, g, b and a for the encoding '{}'",
                       printable(written), any_length ? "1 to 4" : fmt::format("{} different ones", count),
@@ -151,19 +125,20 @@ void Checker::textures() {
     texture_index.assign(in.textures.size(), 0);
     for (std::size_t i = 0; i < in.textures.size(); ++i) {
         const TextureDecl& decl = in.textures[i];
-        if (!decl.faulty) texture_settings(decl);
+        if (!decl.faulty && decl.parameter.empty()) texture_settings(decl);
         ColorSpace natural = decl.encoding == color ? ColorSpace::srgb : ColorSpace::linear;
         CheckedTexture texture{
             .name = decl.name.value,
-            .file = decl.file.value,
+            .file = decl.file_source ? decl.file.value : from_material(decl.file.value),
             .encoding = decl.encoding,
             .facts = {decl.green_up.value, decl.zero.value, decl.range.value, {0, 1, 2, 3}},
             .color_space = decl.color_space ? decl.color_space->value : natural,
             .sampler = decl.sampler};
         swizzle(decl, texture.facts);
         if (!decl.file.value.empty()) {
-            if (auto bytes = file_below_roots(decl.file.value, decl.file.at))
-                texture.hash = content_hash(*bytes);
+            const SourcePtr& source = decl.file_source ? decl.file_source : in.source;
+            if (auto found = find_file(texture.file, decl.file.at, source, roots, files, diags))
+                texture.hash = content_hash(found->bytes);
         } else if (!decl.file.at.pointer.empty()) {
             error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
         }

@@ -9,6 +9,7 @@
 
 #include "base/files.hpp"
 #include "layers/lower_context.hpp"
+#include "material/find_file.hpp"
 #include "material/material.hpp"
 
 namespace sg::material {
@@ -24,8 +25,9 @@ struct CheckedParameter {
 
 struct CheckedTexture {
     std::string name;
-    std::string file;  // as written
-    std::string hash;  // of the file's bytes
+    std::string file;       // as written, seen from the material's folder
+    std::string hash;       // of the file's bytes
+    std::string parameter;  // that replaces the file; "" without one
     ir::TextureEncoding encoding{};
     layers::TextureFacts facts;
     ColorSpace color_space = ColorSpace::linear;
@@ -70,16 +72,12 @@ struct CheckedMaterial {
     std::vector<CheckedParameter> parameters;
     std::vector<CheckedTexture> textures;  // those that a layer or node names, in the order of the file
     std::vector<layers::NodeInstance> nodes;
+    std::vector<std::pair<std::string, std::string>> bases;  // that it extends: file and hash
     std::vector<CheckedShader> shaders;
     std::vector<ShaderCall> calls;
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
     CheckedSurface surface;
     Budget budget;
-};
-
-// Where files may be: the material's own folder first, then each -I root.
-struct Roots {
-    std::vector<std::filesystem::path> folders;
 };
 
 inline constexpr std::size_t kMaxTextures = 64;
@@ -93,9 +91,7 @@ inline constexpr std::size_t kMaxShaderBytes = 1u << 20u;  // of one file
 std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots,
                                      Diags& diags);
 
-// What an artefact knows of a type by name: "float", "vec2", "vec3", "vec4", "color".
-std::string_view parameter_type_name(ParameterType type);
-ir::Type ir_type(ParameterType type);
+ir::Type ir_type(ParameterType type);  // of one that is no texture; true is 1
 
 // Layers of the user's own GLSL: called, or replaced by the layers that they are equivalent to.
 enum class Custom { called, replaced };

@@ -16,7 +16,8 @@ struct Checker {
     const Roots& roots;
     Diags& diags;
     CheckedMaterial out{};
-    std::vector<std::uint32_t> texture_index;  // from Material::textures to CheckedMaterial::textures
+    std::vector<std::uint32_t> texture_index;      // from Material::textures to CheckedMaterial::textures
+    std::vector<ir::ParameterId> parameter_index;  // from Material::parameters; invalid for textures
 
     // Names to indexes; the first of two alike.
     using Index = std::map<std::string_view, std::size_t>;
@@ -33,12 +34,15 @@ struct Checker {
     void claim_layers(const std::vector<LayerDecl>& layers, std::map<std::string_view, At>& seen);
     CheckedLayer layer(const LayerDecl& decl);
     void surface();
+    void parameters();
     std::size_t layer_count = 0;
 
     // check_fields.cpp
     std::optional<std::size_t> find_texture(const std::string& name, const At& at);
-    ir::ParameterId find_parameter(const std::string& name, const At& at,
-                                   std::span<const ParameterType> types);
+    // Null if there is none; one of another type is reported as well.
+    const ParameterDecl* find_parameter(const std::string& name, const At& at,
+                                        std::span<const ParameterType> types);
+    [[nodiscard]] ir::ParameterId id_of(const ParameterDecl& decl) const;
     void expression(const Expression& written, layers::FieldKind kind, Range limits,
                     layers::FieldValue& value);
     // What a parameter is by default, and may be by its range, must be fit for the use.
@@ -59,6 +63,7 @@ struct Checker {
     // check_textures.cpp
     // The bytes of a file below the roots; reports why not.
     std::optional<std::string> file_below_roots(const std::string& file, const At& at);
+    [[nodiscard]] std::string from_material(const std::string& file) const;
     void textures();
     std::vector<bool> used_textures() const;
     void texture_settings(const TextureDecl& decl);

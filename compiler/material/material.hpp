@@ -27,7 +27,9 @@ struct Located {
     At at;
 };
 
-enum class ParameterType { scalar, vec2, vec3, vec4, color };
+enum class ParameterType { scalar, vec2, vec3, vec4, color, boolean, integer, texture };
+// As written: "float", "vec2", ...
+std::string_view parameter_type_name(ParameterType type);
 struct ParameterDecl {
     Located<std::string> name;
     ParameterType type = ParameterType::scalar;
@@ -35,7 +37,11 @@ struct ParameterDecl {
     std::optional<std::array<double, 2>> range;  // of each component
     std::string label;
     std::string unit;
-    bool faulty = false;  // its type was reported; nothing else about it is
+    Located<std::string> texture;  // of type texture: the declared texture that it is by default
+    Located<std::string>
+        replacement;        // the file in its place, seen from the outermost material; "" without one
+    SourcePtr replaced_in;  // the text of that
+    bool faulty = false;    // its type was reported; nothing else about it is
 };
 
 enum class ColorSpace { linear, srgb };
@@ -53,6 +59,9 @@ struct SamplerDecl {
 struct TextureDecl {
     Located<std::string> name;
     Located<std::string> file;
+    SourcePtr
+        file_source;  // where the file is named, if that is another text; then it is seen from the outermost
+    std::string parameter;  // that it stands for; "" without one
     ir::TextureEncoding encoding = ir::TextureEncoding::tangent_normal;
     Located<bool> green_up{true, {}};
     Located<double> zero{127.5, {}};
@@ -143,7 +152,11 @@ using Budget = std::array<std::optional<Located<std::uint32_t>>, kCostNames.size
 
 struct Material {
     SourcePtr source;
-    std::string name;  // "" when not given
+    std::string
+        folder;  // of the file that is read, seen from the folder of the one that extends it; "" for that one
+    std::vector<std::pair<std::string, std::string>> bases;  // that were extended: file and hash
+    bool incomplete = false;                                 // the material that it extends could not be read
+    std::string name;                                        // "" when not given
     std::string description;
     std::vector<ParameterDecl> parameters;
     std::vector<TextureDecl> textures;

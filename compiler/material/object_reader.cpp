@@ -71,6 +71,18 @@ std::optional<std::string> ObjectReader::name(std::string_view key, bool require
     return text;
 }
 
+std::optional<std::string> ObjectReader::name_of_file(std::string_view key) {
+    std::optional<std::string> text = string(key, true);
+    if (!text || !text->empty()) return text;
+    error(Code::file_missing, at(key, *object_->find(key)), "file '' does not exist, expected a path");
+    return std::nullopt;
+}
+
+std::optional<bool> ObjectReader::boolean(std::string_view key) {
+    const Value* value = expect(key, Kind::boolean, false);
+    return value ? std::optional(value->boolean) : std::nullopt;
+}
+
 bool ObjectReader::in_range(std::string_view key, const Value& value, Range range) {
     if (value.number >= range.minimum && value.number <= range.maximum) return true;
     error(Code::out_of_range, at(key, value),

@@ -36,6 +36,9 @@ public:
     std::optional<std::string> string(std::string_view key, bool required = false);
     // A string of 1 to 64 printable characters.
     std::optional<std::string> name(std::string_view key, bool required = false);
+    // A path: any string but an empty one.
+    std::optional<std::string> name_of_file(std::string_view key);
+    std::optional<bool> boolean(std::string_view key);
     std::optional<double> number(std::string_view key, Range range, bool required = false);
     std::optional<std::uint32_t> integer(std::string_view key, Range range, bool required = false,
                                          std::string_view expected = "a number");

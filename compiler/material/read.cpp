@@ -1,35 +1,66 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "material/reader.hpp"
 
 namespace sg::material {
 using json::Value;
 
+void Reader::parameter_value(ObjectReader& reader, std::string_view key, ParameterDecl& decl) {
+    Range limits = decl.range ? Range{(*decl.range)[0], (*decl.range)[1]} : kAnyNumber;
+    switch (decl.type) {
+        case ParameterType::boolean:
+            if (auto value = reader.boolean(key)) decl.fallback = {*value ? 1.0 : 0.0};
+            return;
+        case ParameterType::integer: {
+            auto value = reader.numbers(key, 1, limits, false, "");
+            if (value && (*value)[0] != std::floor((*value)[0])) {
+                reader.error(Code::wrong_type, reader.at(key, *reader.get(key)),
+                             fmt::format("expected an integer for '{}', found {}", key, (*value)[0]));
+            } else if (value) {
+                decl.fallback = {(*value)[0]};
+            }
+            return;
+        }
+        case ParameterType::texture:
+            if (auto value = reader.name(key)) decl.texture = {*value, reader.at(key, *reader.get(key))};
+            return;
+        default:
+            break;
+    }
+    constexpr std::size_t kCounts[] = {1, 2, 3, 4, 3};
+    auto values = reader.numbers(key, kCounts[static_cast<std::size_t>(decl.type)], limits, false, "");
+    if (values) std::copy(values->begin(), values->end(), decl.fallback.begin());
+}
+
 void Reader::parameter(const json::Member& member, const std::string& pointer) {
     ObjectReader reader =
         object(member.value, pointer, "a parameter", {"type", "default", "range", "label", "unit"});
-    constexpr std::size_t kCounts[] = {1, 2, 3, 4, 3};
-    auto type = reader.choice("type", {"float", "vec2", "vec3", "vec4", "color"}, true);
+    auto type =
+        reader.choice("type", {"float", "vec2", "vec3", "vec4", "color", "bool", "int", "texture"}, true);
     ParameterDecl decl{.name = {member.key, {member.key_span, pointer}},
                        .type = static_cast<ParameterType>(type.value_or(0))};
     decl.label = reader.string("label").value_or("");
     decl.unit = reader.string("unit").value_or("");
+    bool ranged = decl.type != ParameterType::boolean && decl.type != ParameterType::texture;
     if (auto range = reader.numbers("range", 2, kAnyNumber, false, "")) {
         decl.range = {(*range)[0], (*range)[1]};
+        At place = reader.at("range", *reader.get("range"));
         if ((*range)[0] > (*range)[1]) {
-            reader.error(Code::out_of_range, reader.at("range", *reader.get("range")),
+            reader.error(Code::out_of_range, place,
                          fmt::format("'range' is {} to {}, expected the smaller number first", (*range)[0],
                                      (*range)[1]));
             decl.range.reset();
+        } else if (!ranged) {
+            reader.error(Code::unused_setting, place,
+                         fmt::format("'range' means nothing for a parameter of type '{}'",
+                                     parameter_type_name(decl.type)));
+            decl.range.reset();
         }
     }
-    Range limits = decl.range ? Range{(*decl.range)[0], (*decl.range)[1]} : kAnyNumber;
-    if (reader.get("default", true) && type) {
-        auto fallback = reader.numbers("default", kCounts[*type], limits, false, "");
-        if (fallback) std::copy(fallback->begin(), fallback->end(), decl.fallback.begin());
-    }
+    if (reader.get("default", true) && type) parameter_value(reader, "default", decl);
     // One with a fault is kept, so that its uses are not reported too.
     decl.faulty = !type;
     out.parameters.push_back(std::move(decl));
@@ -108,6 +139,16 @@ void Reader::document(const Value& root) {
                                  {"$schema", "version", "name", "description", "parameters", "textures",
                                   "nodes", "bump", "surface", "budget"});
     if (!reader.ok()) return;
+    header(reader);
+    for (const auto& [member, pointer] : reader.named("parameters")) parameter(*member, pointer);
+    for (const auto& [member, pointer] : reader.named("textures")) texture(*member, pointer);
+    named_nodes(reader);
+    for (const auto& [item, pointer] : reader.array("bump")) stage(*item, pointer);
+    if (const Value* value = reader.get("surface")) surface(*value, "/surface");
+    if (const Value* value = reader.get("budget")) budget(*value, "/budget");
+}
+
+void Reader::header(ObjectReader& reader) {
     reader.string("$schema");
     if (auto version = reader.integer("version", {1, 1e6}, true); version && *version != kVersion) {
         reader.error(Code::unsupported_version, reader.at("version", *reader.get("version")),
@@ -115,12 +156,6 @@ void Reader::document(const Value& root) {
     }
     out.name = reader.name("name").value_or("");
     out.description = reader.string("description").value_or("");
-    for (const auto& [member, pointer] : reader.named("parameters")) parameter(*member, pointer);
-    for (const auto& [member, pointer] : reader.named("textures")) texture(*member, pointer);
-    named_nodes(reader);
-    for (const auto& [item, pointer] : reader.array("bump")) stage(*item, pointer);
-    if (const Value* value = reader.get("surface")) surface(*value, "/surface");
-    if (const Value* value = reader.get("budget")) budget(*value, "/budget");
 }
 
 Material read(const json::Document& document, Diags& diags) {

@@ -16,12 +16,20 @@ struct Reader {
         return {source, value, std::move(pointer), std::move(what), std::move(keys), diags};
     }
 
+    void header(ObjectReader& reader);
     void parameter(const json::Member& member, const std::string& pointer);
+    // What the key holds as the parameter's value.
+    void parameter_value(ObjectReader& reader, std::string_view key, ParameterDecl& decl);
     void texture(const json::Member& member, const std::string& pointer);
     SamplerDecl sampler(const json::Value& value, const std::string& pointer);
     void surface(const json::Value& value, const std::string& pointer);
     void budget(const json::Value& value, const std::string& pointer);
     void document(const json::Value& root);
+
+    // instance.cpp
+    ObjectReader instance(const json::Value& root);
+    // `folder`: of this material, seen from the outermost one.
+    void override_parameters(ObjectReader& reader, const std::string& folder, Material& base);
 
     // read_layers.cpp
     void stage(const json::Value& value, const std::string& pointer);

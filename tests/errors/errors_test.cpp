@@ -21,6 +21,9 @@ std::string check(const std::string& name, std::string text, int* exit_code = nu
     files.contents["/secret.png"] = "must stay out of reach";
     for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests/errors/cases/shaders"))
         files.contents["/m/shaders/" + entry.path().filename().string()] = test::read_file(entry.path());
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests/errors/cases/bases"))
+        files.contents["/m/bases/" + entry.path().filename().string()] = test::read_file(entry.path());
+    files.contents["/m/" + name] = text;
     CompileRequest request{.source = std::make_shared<Source>(Source{name, std::move(text)})};
     request.stem = "case";
     request.roots = {"/m"};

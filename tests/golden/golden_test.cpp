@@ -100,6 +100,19 @@ TEST(Samples, OneIsExplained) {
     test::expect_golden("golden/noise/explain.txt", without_instructions(*text));
 }
 
+// An instance changes values, not structure.
+TEST(Samples, AnInstanceSharesItsShaders) {
+    auto shaders = [](const char* name) {
+        std::vector<std::string> out;
+        for (const auto& [file, bytes] : compile(test::source_dir() / "materials" / name).files) {
+            if (file.ends_with(".spv")) out.push_back(bytes);
+        }
+        return out;
+    };
+    EXPECT_EQ(shaders("switches.json").size(), 2 * emit::all_entry_points().size());
+    EXPECT_EQ(shaders("switches.json"), shaders("switches_worn.json"));
+}
+
 TEST(Samples, EveryLayerKindHasOne) {
     std::set<std::string> stems;
     for (const fs::path& path : samples()) stems.insert(path.stem().string());

@@ -1,0 +1,112 @@
+// painted bricks: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
+// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+//   position           relative world space (origin at the camera), world units
+//   position_dx        its change per pixel to the right
+//   position_dy        its change per pixel downward
+//   normal             interpolated vertex normal, world axes, any length
+//   object_position    object space, object units
+//   object_position_dx its change per pixel to the right
+//   object_position_dy its change per pixel downward
+//   object_x           the object's x axis in world axes: a unit of object space, world units
+//   object_y           the object's y axis in world axes: a unit of object space, world units
+//   object_z           the object's z axis in world axes: a unit of object space, world units
+//   uv0                texture coordinate 0, t downward
+//   uv0_dx             its change per pixel to the right
+//   uv0_dy             its change per pixel downward
+#include "surfgrad/combine.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/number.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+#include "surfgrad/volume_space.glsl"
+
+#ifndef SG_MATERIAL_TYPES
+#define SG_MATERIAL_TYPES
+
+struct SgMaterialInputs {
+    vec3 position;                  // relative world space (origin at the camera), world units
+    vec3 position_dx;               // its change per pixel to the right
+    vec3 position_dy;               // its change per pixel downward
+    vec3 normal;                    // interpolated vertex normal, world axes, any length
+    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;                     // interpolated vertex colour, linear
+    float facing;                   // +1 on front faces, -1 on back faces
+    float time;                     // seconds
+    vec3 object_position;           // object space, object units
+    vec3 object_position_dx;        // its change per pixel to the right
+    vec3 object_position_dy;        // its change per pixel downward
+    vec3 world_position;            // absolute world space, world units
+    vec3 world_position_dx;         // its change per pixel to the right
+    vec3 world_position_dy;         // its change per pixel downward
+    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
+    vec2 uv0;                       // texture coordinate 0, t downward
+    vec2 uv0_dx;                    // its change per pixel to the right
+    vec2 uv0_dy;                    // its change per pixel downward
+    vec2 uv1;                       // texture coordinate 1, t downward
+    vec2 uv1_dx;                    // its change per pixel to the right
+    vec2 uv1_dy;                    // its change per pixel downward
+    vec2 uv2;                       // texture coordinate 2, t downward
+    vec2 uv2_dx;                    // its change per pixel to the right
+    vec2 uv2_dy;                    // its change per pixel downward
+    vec2 uv3;                       // texture coordinate 3, t downward
+    vec2 uv3_dx;                    // its change per pixel to the right
+    vec2 uv3_dy;                    // its change per pixel downward
+    vec2 uv4;                       // texture coordinate 4, t downward
+    vec2 uv4_dx;                    // its change per pixel to the right
+    vec2 uv4_dy;                    // its change per pixel downward
+    vec2 uv5;                       // texture coordinate 5, t downward
+    vec2 uv5_dx;                    // its change per pixel to the right
+    vec2 uv5_dy;                    // its change per pixel downward
+    vec2 uv6;                       // texture coordinate 6, t downward
+    vec2 uv6_dx;                    // its change per pixel to the right
+    vec2 uv6_dy;                    // its change per pixel downward
+    vec2 uv7;                       // texture coordinate 7, t downward
+    vec2 uv7_dx;                    // its change per pixel to the right
+    vec2 uv7_dy;                    // its change per pixel downward
+};
+
+struct SgMaterialResult {
+    vec3 normal;                    // resolved unit normal, world axes
+    vec3 base_color;                // linear
+    float metallic;                 // 0 to 1
+    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;                // 1: open
+    vec3 emission;                  // linear radiance
+    float opacity;                  // 0 to 1
+    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+};
+
+#endif
+
+struct SgMaterialParameters_switches {
+    float p_painted;
+    float p_repeats;
+    float p_depth;
+    vec3 p_paint;
+};
+
+SgMaterialResult sg_material_switches(SgMaterialInputs sg_inputs, SgMaterialParameters_switches sg_material, texture2D t_bumps, sampler s_0) {
+    vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+
+    // bumps: normal_map
+    SgUv m_bumps_uv = sg_uv_scale(SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy), vec2(sg_material.p_repeats));
+    vec2 m_bumps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_bumps, s_0, m_bumps_uv).xyz, 127.5)));
+    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * m_bumps_deriv, sg_basis_uv(m_frame, m_bumps_uv));
+
+    SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
+
+    // cracks: noise
+    vec3 m_cracks_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, 1.0 - sg_material.p_painted));
+
+    vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
+    return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks), mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, mix(0.8, 0.3, sg_material.p_painted), 1.0, vec3(0.0), 1.0, 0.0);
+}

@@ -1,0 +1,47 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// painted bricks: fragment shader of the entry point 'normal', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/combine.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_painted;
+    float p_repeats;
+    float p_depth;
+    vec3 p_paint;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_bumps;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_normal;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    // bumps: normal_map
+    SgUv m_bumps_uv = sg_uv_scale(sg_stage_uv(sg_in_uv0), vec2(sg_material.p_repeats));
+    vec2 m_bumps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_bumps, s_0, m_bumps_uv).xyz, 127.5)));
+    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * m_bumps_deriv, sg_basis_uv(m_frame, m_bumps_uv));
+
+    // cracks: noise
+    vec3 m_cracks_gradient = 6.0 * sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient;
+    vec3 m_cracks_mask_volgrad = sg_combine_mask(-0.03 * sg_stage_gradient_from_object(m_cracks_gradient), 1.0 - sg_material.p_painted);
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, m_cracks_mask_volgrad);
+
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_bumps + m_cracks), 1.0);
+}

@@ -1,0 +1,53 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// bare reliefs: fragment shader of the entry point 'forward', made by surfgradc.
+
+#include "stage/forward.glsl"
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/combine.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/number.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_painted;
+    float p_repeats;
+    float p_depth;
+    vec3 p_paint;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_bumps;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_color;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    // bumps: normal_map
+    SgUv m_bumps_uv = sg_uv_scale(sg_stage_uv(sg_in_uv0), vec2(sg_material.p_repeats));
+    vec2 m_bumps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_bumps, s_0, m_bumps_uv).xyz, 127.5)));
+    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * m_bumps_deriv, sg_basis_uv(m_frame, m_bumps_uv));
+
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+
+    // cracks: noise
+    vec3 m_cracks_gradient_from_object = sg_stage_gradient_from_object(6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, 1.0 - sg_material.p_painted));
+
+    vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
+    SgSurface sg_surface = SgSurface(mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, mix(0.8, 0.3, sg_material.p_painted), 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_bumps + m_cracks));
+    sg_out_color = vec4(sg_radiance, 1.0);
+}
