@@ -113,6 +113,15 @@ Json vertex_inputs_json(const emit::EntryInterface& interface) {
     return out;
 }
 
+Json outputs_json(const emit::EntryPoint& entry) {
+    Json out = Json::array();
+    for (const emit::Attachment& attachment : entry.attachments) {
+        out.push_back({{"name", attachment.name}, {"location", out.size()}, {"format", "float4"}});
+        if (!attachment.format.empty()) out.back()["attachment"] = attachment.format;
+    }
+    return out;
+}
+
 Json entry_json(const ArtefactInput& input, const CompiledEntry& entry, NamedFiles& files) {
     Json stages = Json::array();
     for (auto stage : {target::Stage::vertex, target::Stage::fragment})
@@ -122,14 +131,13 @@ Json entry_json(const ArtefactInput& input, const CompiledEntry& entry, NamedFil
         views.push_back(
             {{"name", v.name}, {"number", v.number}, {"components", v.components}, {"kind", v.kind}});
     }
-    return {
-        {"name", entry.entry->name},
-        {"stages", stages},
-        {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
-        {"bindings", bindings_json(entry.shaders.interface)},
-        {"outputs", Json::array({{{"name", entry.entry->output}, {"location", 0}, {"format", "float4"}}})},
-        {"texture_reads", entry.shaders.texture_reads},
-        {"views", views}};
+    return {{"name", entry.entry->name},
+            {"stages", stages},
+            {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
+            {"bindings", bindings_json(entry.shaders.interface)},
+            {"outputs", outputs_json(*entry.entry)},
+            {"texture_reads", entry.shaders.texture_reads},
+            {"views", views}};
 }
 
 Json parameter_block_json(const ArtefactInput& input) {

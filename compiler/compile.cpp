@@ -43,7 +43,7 @@ void keep_used(emit::Shaders& shaders, const ir::Module& module, const emit::Ent
 std::optional<CompiledEntry> compile_entry(const CompileRequest& request, const emit::EntryPoint& entry,
                                            const ir::Module& module, const emit::MaterialInterface& interface,
                                            const target::ShaderLibrary& library, Diags& diags) {
-    ir::Module selected = opt::select_outputs(module, entry.outputs);
+    ir::Module selected = opt::select_outputs(module, emit::needed_outputs(entry, module));
     emit::Shaders shaders = emit::emit_glsl(selected, entry, interface);
     std::string name = fmt::format("{}.{}", request.stem, entry.name);
     target::Words fragment =

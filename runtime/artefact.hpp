@@ -52,11 +52,13 @@ struct EntryPoint {
     std::vector<VertexInput> inputs;
     std::vector<BindingSlot> bindings;
     std::vector<DebugView> views;
+    std::vector<std::string> outputs;  // float4s that the fragment stage writes, by location
 };
 
 struct Parameter {
     std::string name;
-    std::string type;  // "float", "vec2", "vec3", "vec4", "color", "bool" or "int"; the last two are floats, too
+    std::string
+        type;  // "float", "vec2", "vec3", "vec4", "color", "bool" or "int"; the last two are floats, too
     std::size_t offset = 0;
     std::vector<float> initial;  // 1 to 4 numbers, as the type says
     std::optional<std::array<double, 2>> range;

@@ -165,6 +165,9 @@ EntryPoint read_entry(const Node& node) {
     read_stages(node.at("stages"), entry);
     for (const Node& input : node.at("vertex_inputs").items()) entry.inputs.push_back(read_input(input));
     for (const Node& binding : node.at("bindings").items()) entry.bindings.push_back(read_binding(binding));
+    for (const Node& output : node.at("outputs").items())
+        entry.outputs.push_back(output.at("name").text_or_empty());
+    if (entry.outputs.size() > 8) node.at("outputs").fail("must hold at most 8");
     if (node.has("views")) {
         for (const Node& view : node.at("views").items()) entry.views.push_back(read_view(view));
     }

@@ -105,7 +105,7 @@ struct Renderer::State {
     [[nodiscard]] bool uses(std::uint32_t binding) const;
     [[nodiscard]] std::vector<gpu::Binding> set_bindings(std::uint32_t set, std::size_t instance) const;
     void record(VkCommandBuffer commands) const;
-    [[nodiscard]] Picture read_target() const;
+    [[nodiscard]] Picture read_target(std::uint32_t color) const;
 };
 
 bool Renderer::State::make_meshes(Diags& diags) {
@@ -187,7 +187,7 @@ bool Renderer::State::make_layouts(Diags& diags) {
 
 bool Renderer::State::make_pipelines(Diags& diags) {
     VkExtent2D extent{options.width * options.supersample, options.height * options.supersample};
-    target = gpu::Target::create(device, extent, diags);
+    target = gpu::Target::create(device, extent, static_cast<std::uint32_t>(entry.outputs.size()), diags);
     if (!target) return false;
     std::vector<gpu::VertexInput> inputs;
     for (const VertexInput& input : entry.inputs) inputs.push_back({input.location, input.components});
@@ -199,6 +199,7 @@ bool Renderer::State::make_pipelines(Diags& diags) {
     state.pass = target->pass();
     state.extent = extent;
     state.cull_back = !artefact.two_sided;
+    state.colors = target->colors();
     for (bool mirrored : {false, true}) {
         const auto& all = scene.content.instances;
         bool needed = std::any_of(all.begin(), all.end(), [&](const asset::Instance& instance) {
@@ -268,10 +269,19 @@ void Renderer::State::record(VkCommandBuffer commands) const {
     }
 }
 
-Picture Renderer::State::read_target() const {
+// An entry without outputs shows its depth.
+Picture Renderer::State::read_target(std::uint32_t color) const {
     VkExtent2D extent = target->extent();
     Picture out{asset::make_image(extent.width, extent.height, asset::TexelFormat::float32), {}};
-    std::memcpy(out.values.bytes.data(), target->rgba().data(), target->rgba().size_bytes());
+    if (target->colors() > 0) {
+        const std::span<const float> rgba = target->rgba(color);
+        std::memcpy(out.values.bytes.data(), rgba.data(), rgba.size_bytes());
+    }
+    for (std::uint32_t i = 0; target->colors() == 0 && i < target->depth().size(); ++i) {
+        const float depth = target->depth()[i];
+        for (int c = 0; c < 4; ++c)
+            out.values.set(i % extent.width, i / extent.width, c, c == 3 ? (depth < 1 ? 1.0 : 0.0) : depth);
+    }
     for (float depth : target->depth()) out.coverage.push_back(depth < 1 ? 1.0f : 0.0f);
     return out;
 }
@@ -301,7 +311,8 @@ std::optional<Picture> Renderer::draw(const DebugView& view, Diags& diags) {
     std::memcpy(state_->frame->bytes().data(), &block, sizeof(block));
     auto record = [&](VkCommandBuffer commands) { state_->record(commands); };
     if (!state_->target->draw(state_->device, record, diags)) return std::nullopt;
-    return shrink(state_->read_target(), state_->options.supersample, view.components == 4);
+    const std::uint32_t color = state_->entry.views.empty() ? view.number : 0;  // else the shader chooses
+    return shrink(state_->read_target(color), state_->options.supersample, view.components == 4);
 }
 
 std::optional<Picture> render(gpu::Device& device, const Artefact& artefact, const TextureSet& textures,

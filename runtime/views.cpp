@@ -18,6 +18,14 @@ std::vector<View> all_views(const Artefact& artefact) {
     std::vector<View> out;
     if (artefact.entry("forward")) out.push_back({"forward", {"lit", 0, 3, ViewKind::radiance}});
     if (artefact.entry("normal")) out.push_back({"normal", {"normal", 0, 3, ViewKind::direction}});
+    if (const EntryPoint* gbuffer = artefact.entry("gbuffer")) {
+        for (std::uint32_t i = 0; i < gbuffer->outputs.size(); ++i) {
+            const std::string& name = gbuffer->outputs[i];
+            ViewKind kind = name == "normal" ? ViewKind::direction : ViewKind::vector;
+            out.push_back({"gbuffer", {"gbuffer:" + name, i, 4, kind}});
+        }
+    }
+    if (artefact.entry("depth")) out.push_back({"depth", {"depth", 0, 3, ViewKind::vector}});
     for (View& view : debug_views(artefact)) {
         bool taken = std::any_of(out.begin(), out.end(),
                                  [&](const View& other) { return other.view.name == view.view.name; });

@@ -17,7 +17,8 @@ struct View {
     DebugView view;
 };
 
-// "lit" (entry forward), "normal" (entry normal), then the debug views in the manifest's order, without those
+// "lit" (entry forward), "normal" (entry normal), "gbuffer:NAME" for each of that entry's outputs, "depth"
+// (what the depth buffer holds, 0 near to 1 far), then the debug views in the manifest's order, without those
 // whose name is taken.
 std::vector<View> all_views(const Artefact& artefact);
 // The debug views alone, all of them.

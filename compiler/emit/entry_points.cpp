@@ -7,17 +7,36 @@ std::span<const EntryPoint> all_entry_points() {
     static const EntryPoint kRows[] = {
         {"forward",
          "the lit picture: linear radiance",
-         "color",
+         {{"color", "", "linear radiance; opacity"}},
          {normal, base_color, metallic, roughness, occlusion, emission, opacity, cutoff},
          {"stage/forward.glsl"},
+         true,
          true},
-        {"normal", "the resolved unit normal, world axes", "normal", {normal, opacity, cutoff}, {}, false},
+        {"gbuffer",
+         "what a deferred renderer lights later, in four attachments",
+         {{"base_color", "rgba8_srgb", "linear base colour; opacity"},
+          {"normal", "rgba16_float", "unit normal, world axes; perceptual roughness"},
+          {"surface", "rgba8_unorm", "metallic, occlusion, 0; 1"},
+          {"emission", "rgba16_float", "linear radiance; 1"}},
+         {normal, base_color, metallic, roughness, occlusion, emission, opacity, cutoff},
+         {},
+         false,
+         true},
+        {"normal",
+         "the resolved unit normal, world axes",
+         {{"normal", "", "unit normal, world axes; 1"}},
+         {normal, opacity, cutoff},
+         {},
+         false,
+         false},
+        {"depth", "nothing but the depth: shadows and depth passes", {}, {opacity, cutoff}, {}, false, false},
         {"debug",
          "one of the values inside the shader, chosen by a uniform",
-         "value",
+         {{"value", "", "the view's numbers"}},
          {frame, normal, gradient, basis_vertex, vertex_color, uv, volume, opacity, cutoff},
          {"stage/debug.glsl"},
-         true},
+         true,
+         false},
     };
     return kRows;
 }
@@ -27,6 +46,13 @@ const EntryPoint* find_entry_point(std::string_view name) {
         if (entry.name == name) return &entry;
     }
     return nullptr;
+}
+
+std::vector<ir::Output> needed_outputs(const EntryPoint& entry, const ir::Module& module) {
+    std::vector<ir::Output> out = entry.outputs;
+    if (!entry.shows_opacity && !module.output(ir::Output::cutoff).valid())
+        std::erase(out, ir::Output::opacity);
+    return out;
 }
 
 }  // namespace sg::emit

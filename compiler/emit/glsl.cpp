@@ -135,6 +135,16 @@ std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& 
     if (entry.name == "debug") return out + debug_tail(module, body, interface);
     if (entry.name == "normal")
         return out + fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
+    if (entry.name == "depth") return out;
+    if (entry.name == "gbuffer") {
+        return out +
+               fmt::format(
+                   "    sg_out_base_color = vec4({}, {});\n    sg_out_normal = vec4({}, {});\n"
+                   "    sg_out_surface = vec4({}, {}, 0.0, 1.0);\n    sg_out_emission = vec4({}, 1.0);\n",
+                   operand(Output::base_color), operand(Output::opacity), operand(Output::normal),
+                   operand(Output::roughness), operand(Output::metallic), operand(Output::occlusion),
+                   operand(Output::emission));
+    }
     SG_ASSERT(entry.name == "forward");
     return out + fmt::format(
                      "    SgSurface sg_surface = SgSurface({}, {}, {}, {}, {});\n"
@@ -239,8 +249,9 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
         text += fmt::format("layout(location = {}) in {} sg_in_{};\n", varying_location(v),
                             vertex_input(v).glsl_type, varying_name(v));
     }
-    text += fmt::format("layout(location = 0) out vec4 sg_out_{};\n\nvoid main() {{\n{}{}}}\n", entry.output,
-                        body.text(), last);
+    for (std::size_t i = 0; i < entry.attachments.size(); ++i)
+        text += fmt::format("layout(location = {}) out vec4 sg_out_{};\n", i, entry.attachments[i].name);
+    text += fmt::format("\nvoid main() {{\n{}{}}}\n", body.text(), last);
     out.fragment = std::move(text);
     out.vertex = emit_vertex(module, entry, out.interface.varyings);
     return out;

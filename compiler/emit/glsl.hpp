@@ -12,15 +12,25 @@
 
 namespace sg::emit {
 
+// One float4 that the fragment stage writes.
+struct Attachment {
+    std::string_view name;
+    std::string_view format;  // that holds it; "" where the view decides
+    std::string_view meaning;
+};
+
 // An entry point: one row per row of this table (glsl.cpp).
 struct EntryPoint {
     std::string_view name;
     std::string_view doc;
-    std::string_view output;  // what the one output at location 0 is called in the manifest
-    std::vector<ir::Output> outputs;
+    std::vector<Attachment> attachments;     // by location
+    std::vector<ir::Output> outputs;         // of the module
     std::vector<std::string_view> includes;  // that the entry's own lines need
     bool reads_frame_block = false;          // in the fragment stage
+    bool shows_opacity = false;              // else it is there for the alpha test alone
 };
+// Those of its outputs that the entry point needs of this module.
+std::vector<ir::Output> needed_outputs(const EntryPoint& entry, const ir::Module& module);
 std::span<const EntryPoint> all_entry_points();
 const EntryPoint* find_entry_point(std::string_view name);
 

@@ -79,7 +79,7 @@ struct FixedStates {
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
     VkPipelineDepthStencilStateCreateInfo depth = make_info<VkPipelineDepthStencilStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
-    VkPipelineColorBlendAttachmentState attachment{};
+    std::vector<VkPipelineColorBlendAttachmentState> attachments;
     VkPipelineColorBlendStateCreateInfo blend = make_info<VkPipelineColorBlendStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
 
@@ -96,10 +96,12 @@ struct FixedStates {
         samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
         depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;
         depth.depthCompareOp = VK_COMPARE_OP_LESS;
+        VkPipelineColorBlendAttachmentState attachment{};
         attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                     VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-        blend.attachmentCount = 1;
-        blend.pAttachments = &attachment;
+        attachments.assign(state.colors, attachment);
+        blend.attachmentCount = state.colors;
+        blend.pAttachments = attachments.data();
     }
     FixedStates(const FixedStates&) = delete;
     FixedStates& operator=(const FixedStates&) = delete;

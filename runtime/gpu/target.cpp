@@ -53,17 +53,20 @@ std::span<const float> floats(const Buffer& buffer) {
 }  // namespace
 
 bool Target::make_pass(const Device& device, Diags& diags) {
-    std::array attachments = {attachment(kColorFormat), attachment(kDepthFormat)};
-    VkAttachmentReference color{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
-    VkAttachmentReference depth{1, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+    std::vector<VkAttachmentDescription> attachments(colors(), attachment(kColorFormat));
+    attachments.push_back(attachment(kDepthFormat));
+    std::vector<VkAttachmentReference> references;
+    for (std::uint32_t i = 0; i < colors(); ++i)
+        references.push_back({i, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
+    VkAttachmentReference depth{colors(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
-    subpass.colorAttachmentCount = 1;
-    subpass.pColorAttachments = &color;
+    subpass.colorAttachmentCount = colors();
+    subpass.pColorAttachments = references.data();
     subpass.pDepthStencilAttachment = &depth;
     std::array waits = dependencies();
     auto info = make_info<VkRenderPassCreateInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO);
-    info.attachmentCount = attachments.size();
+    info.attachmentCount = static_cast<std::uint32_t>(attachments.size());
     info.pAttachments = attachments.data();
     info.subpassCount = 1;
     info.pSubpasses = &subpass;
@@ -77,10 +80,12 @@ bool Target::make_pass(const Device& device, Diags& diags) {
 }
 
 bool Target::make_framebuffer(const Device& device, Diags& diags) {
-    std::array views = {color_.view(), depth_.view()};
+    std::vector<VkImageView> views;
+    for (const Image& color : colors_) views.push_back(color.view());
+    views.push_back(depth_.view());
     auto info = make_info<VkFramebufferCreateInfo>(VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO);
     info.renderPass = pass_.get();
-    info.attachmentCount = views.size();
+    info.attachmentCount = static_cast<std::uint32_t>(views.size());
     info.pAttachments = views.data();
     info.width = extent_.width;
     info.height = extent_.height;
@@ -92,28 +97,36 @@ bool Target::make_framebuffer(const Device& device, Diags& diags) {
     return true;
 }
 
-std::optional<Target> Target::create(const Device& device, VkExtent2D extent, Diags& diags) {
+std::optional<Target> Target::create(const Device& device, VkExtent2D extent, std::uint32_t colors,
+                                     Diags& diags) {
     constexpr VkImageUsageFlags kCopied = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    auto color =
-        Image::create_attachment(device, kColorFormat, extent, kCopied | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                                 VK_IMAGE_ASPECT_COLOR_BIT, diags);
-    if (!color) return std::nullopt;
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const std::size_t pixels = std::size_t{extent.width} * extent.height;
+    std::vector<Image> images;
+    std::vector<Buffer> copies;
+    for (std::uint32_t i = 0; i < colors; ++i) {
+        auto color = Image::create_attachment(device, kColorFormat, extent,
+                                              kCopied | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                              VK_IMAGE_ASPECT_COLOR_BIT, diags);
+        auto copy = Buffer::create(device, pixels * 4 * sizeof(float), kUsage, diags);
+        if (!color || !copy) return std::nullopt;
+        images.push_back(std::move(*color));
+        copies.push_back(std::move(*copy));
+    }
     auto depth = Image::create_attachment(device, kDepthFormat, extent,
                                           kCopied | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                                           VK_IMAGE_ASPECT_DEPTH_BIT, diags);
     if (!depth) return std::nullopt;
-    std::size_t pixels = std::size_t{extent.width} * extent.height;
-    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    auto color_copy = Buffer::create(device, pixels * 4 * sizeof(float), kUsage, diags);
     auto depth_copy = Buffer::create(device, pixels * sizeof(float), kUsage, diags);
-    if (!color_copy || !depth_copy) return std::nullopt;
-    Target made(extent, std::move(*color), std::move(*depth), std::move(*color_copy), std::move(*depth_copy));
+    if (!depth_copy) return std::nullopt;
+    Target made(extent, std::move(images), std::move(*depth), std::move(copies), std::move(*depth_copy));
     if (!made.make_pass(device, diags) || !made.make_framebuffer(device, diags)) return std::nullopt;
     return made;
 }
 
 void Target::copy_back(VkCommandBuffer commands) const {
-    copy_image(commands, color_.get(), VK_IMAGE_ASPECT_COLOR_BIT, extent_, color_copy_.get());
+    for (std::size_t i = 0; i < colors_.size(); ++i)
+        copy_image(commands, colors_[i].get(), VK_IMAGE_ASPECT_COLOR_BIT, extent_, color_copies_[i].get());
     copy_image(commands, depth_.get(), VK_IMAGE_ASPECT_DEPTH_BIT, extent_, depth_copy_.get());
     auto barrier = make_info<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
@@ -123,13 +136,13 @@ void Target::copy_back(VkCommandBuffer commands) const {
 }
 
 bool Target::draw(const Device& device, const std::function<void(VkCommandBuffer)>& record, Diags& diags) {
-    std::array<VkClearValue, 2> clear{};
-    clear[1].depthStencil.depth = 1;
+    std::vector<VkClearValue> clear(colors() + 1);
+    clear.back().depthStencil.depth = 1;
     auto begin = make_info<VkRenderPassBeginInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO);
     begin.renderPass = pass_.get();
     begin.framebuffer = framebuffer_.get();
     begin.renderArea.extent = extent_;
-    begin.clearValueCount = clear.size();
+    begin.clearValueCount = static_cast<std::uint32_t>(clear.size());
     begin.pClearValues = clear.data();
     auto whole = [&](VkCommandBuffer commands) {
         vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
@@ -140,8 +153,8 @@ bool Target::draw(const Device& device, const std::function<void(VkCommandBuffer
     return device.submit(whole, diags);
 }
 
-std::span<const float> Target::rgba() const {
-    return floats(color_copy_);
+std::span<const float> Target::rgba(std::uint32_t color) const {
+    return floats(color_copies_[color]);
 }
 std::span<const float> Target::depth() const {
     return floats(depth_copy_);
