@@ -34,11 +34,11 @@ layout(location = 0) out vec4 sg_out_color;
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // bumps: normal_map
-    SgUv m_bumps_uv = sg_uv_scale(sg_stage_uv(sg_in_uv0), vec2(sg_material.p_repeats));
-    vec2 m_bumps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_bumps, s_0, m_bumps_uv).xyz, 127.5)));
-    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * m_bumps_deriv, sg_basis_uv(m_frame, m_bumps_uv));
+    vec3 m_bumps_m = sg_decode_signed(sg_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
+    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
 
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
 

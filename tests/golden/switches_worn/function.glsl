@@ -95,11 +95,11 @@ struct SgMaterialParameters_switches_worn {
 SgMaterialResult sg_material_switches_worn(SgMaterialInputs sg_inputs, SgMaterialParameters_switches_worn sg_material, texture2D t_bumps, sampler s_0) {
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
     SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+    SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
 
     // bumps: normal_map
-    SgUv m_bumps_uv = sg_uv_scale(SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy), vec2(sg_material.p_repeats));
-    vec2 m_bumps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_bumps, s_0, m_bumps_uv).xyz, 127.5)));
-    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * m_bumps_deriv, sg_basis_uv(m_frame, m_bumps_uv));
+    vec3 m_bumps_m = sg_decode_signed(sg_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
+    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
 
     SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
 

@@ -1,0 +1,43 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// one map, all parameters: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    vec3 p_tint;
+    vec2 p_tiling;
+    float p_strength;
+    float p_roughness;
+    float p_metallic;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_weave;
+layout(set = 1, binding = 2) uniform texture2D t_stone;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 2) in vec4 sg_in_tangent;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // weave: normal_map
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_in_normal, sg_in_tangent));
+
+    sg_out_base_color = vec4(sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, 1.0);
+    sg_out_normal = vec4(sg_resolve(sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing()), m_weave), sg_material.p_roughness);
+    sg_out_surface = vec4(sg_material.p_metallic, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

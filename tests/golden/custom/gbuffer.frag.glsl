@@ -1,0 +1,84 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// bumps of one's own: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+// shaders/custom.glsl
+// Functions that materials/custom.json calls as layers. A function sees what it is handed and nothing else.
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/from_height.glsl"
+#include "surfgrad/height_map.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/volume.glsl"
+
+#ifndef c_OCTAVES
+#define c_OCTAVES 4
+#endif
+
+const float c_kZero = 128.0;  // the code of the woven map that means 0
+
+// A volume gradient: dents where a turbulence is low. The chain rule brings the frequency.
+vec3 c_dents(SgVolume object, float frequency, float power) {
+    SgNoise noise = sg_volume_turbulence(sg_volume_scale(object, frequency), c_OCTAVES);
+    return frequency * sg_noise_power(noise, power).gradient;
+}
+
+// A derivative along +s and +t: the slopes of a map that was painted with green down.
+vec2 c_slopes(texture2D map, sampler map_sampler, SgUv uv) {
+    return sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(map, map_sampler, uv).xyz, c_kZero));
+}
+
+// A surface gradient: stones whose height is measured in world units.
+vec3 c_stones(SgFrame frame, texture2D heights, sampler heights_sampler, SgUv uv, vec2 tiling) {
+    SgUv place = sg_uv_scale(uv, tiling);
+    vec2 deriv = sg_deriv_from_height_hq(heights, heights_sampler, place);
+    return sg_surfgrad_from_height(frame, place, sg_texture_size(heights, heights_sampler), deriv);
+}
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_power;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_weave;
+layout(set = 1, binding = 2) uniform texture2D t_pebble;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 5) in vec2 sg_in_uv1;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    // dents: custom
+    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(c_dents(sg_stage_volume(sg_in_object_position), 3.0, sg_material.p_power));
+
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+
+    // dents: custom
+    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, -0.12 * m_dents_gradient_from_object);
+
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    // weave: custom
+    SgUv m_weave_uv = sg_uv_transform(sg_stage_uv(sg_in_uv1), vec2(6.0, 4.0), 0.5235988, vec2(0.0));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes(t_weave, s_0, m_weave_uv), sg_basis_uv(m_frame, m_weave_uv));
+
+    // stones: custom
+    vec3 m_stones = 0.05 * c_stones(m_frame, t_pebble, s_0, sg_stage_uv(sg_in_uv0), vec2(4.0, 2.0));
+
+    sg_out_base_color = vec4(vec3(0.5, 0.42, 0.33), 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_dents + m_weave + m_stones), 0.6);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

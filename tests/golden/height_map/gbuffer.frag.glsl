@@ -1,0 +1,46 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// pebbles from a height map: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_height.glsl"
+#include "surfgrad/height_map.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_pebble;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // stones: height_map
+    SgUv m_stones_uv = sg_uv_scale(m_uv0, vec2(4.0, 2.0));
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_stones_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_height_hq(t_pebble, s_0, m_stones_uv));
+    vec3 m_stones = 0.06 * m_stones_surfgrad_from_height;
+
+    // grit: height_map
+    SgUv m_grit_uv = sg_uv_scale(m_uv0, vec2(16.0, 8.0));
+    vec3 m_grit_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_grit_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_height(t_pebble, s_0, m_grit_uv));
+    vec3 m_grit = 0.008 * m_grit_surfgrad_from_height;
+
+    // wear: height_map
+    vec3 m_wear_surfgrad_from_three_taps = sg_surfgrad_from_screen_height(m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
+    vec3 m_wear = -0.04 * m_wear_surfgrad_from_three_taps;
+
+    sg_out_base_color = vec4(vec3(0.4, 0.38, 0.34), 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_stones + m_grit + m_wear), 0.75);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

@@ -1,0 +1,45 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// baked sphere: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_normal.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_baked;
+layout(set = 1, binding = 2) uniform texture2D t_weave;
+layout(set = 1, binding = 3) uniform sampler s_0;
+layout(set = 1, binding = 4) uniform sampler s_1;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // baked: object_normal_map
+    vec3 m_baked = sg_surfgrad_from_normal(m_base_normal, sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_baked, s_0, m_uv0).xyz, 127.5)));
+
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    // weave: normal_map
+    vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.2 * m_weave_deriv, sg_basis_uv(m_frame, m_uv0));
+
+    sg_out_base_color = vec4(vec3(0.55, 0.5, 0.42), 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_baked + m_weave), 0.6);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

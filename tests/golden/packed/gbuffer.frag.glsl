@@ -1,0 +1,42 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// four things in one texture: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_weave;
+layout(set = 1, binding = 2) uniform texture2D t_paint;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // weave: normal_map
+    SgUv m_weave_uv = sg_uv_scale(m_uv0, vec2(6.0, 3.0));
+    vec2 m_weave_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_uv).wyzw.xy, 127.5));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.7 * m_weave_deriv, sg_basis_uv(m_frame, m_uv0));
+
+    vec4 m_texel = sg_sample(t_paint, s_0, m_weave_uv);
+    float m_painted = m_texel.x;
+    vec3 m_mix_color = mix(mix(vec3(0.1, 0.07, 0.05), vec3(0.55, 0.42, 0.3), m_texel.z), vec3(0.08, 0.2, 0.45), m_painted);
+    sg_out_base_color = vec4(m_mix_color, 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_weave), m_painted * -0.5 + 0.85);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

@@ -1,0 +1,43 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// rain on stone: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "surfgrad/combine.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/number.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_pebble;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 13) in vec3 sg_in_world_position;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    // rain: planar
+    SgTriplanarUv m_rain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_world_position), 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec2 m_rain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rain_planes.y).xyz, 127.0));
+    vec2 m_rain_deriv_2 = sg_deriv_green_up(m_rain_deriv);
+    vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv_2, m_rain_deriv_2, m_rain_deriv_2, SG_RIGHT_HAND, SG_UPPER_LEFT);
+
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
+
+    // rain: planar
+    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(m_rain_gradient, m_top));
+
+    sg_out_base_color = vec4(mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rain), mix(0.8, 0.35, m_top));
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

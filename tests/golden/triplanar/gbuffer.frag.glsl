@@ -1,0 +1,43 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// triplanar rock: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_sharpness;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_pebble;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+
+    // rock: triplanar
+    SgTriplanarUv m_rock_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_object_position), 1.2), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec2 m_rock_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rock_planes.x).xyz, 127.0));
+    vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
+    vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
+    vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient));
+
+    sg_out_base_color = vec4(vec3(0.42, 0.4, 0.37), 1.0);
+    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rock), 0.8);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}
