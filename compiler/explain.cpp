@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <sstream>
+#include <utility>
 
 #include "opt/optimise.hpp"
 #include "stages.hpp"
@@ -116,6 +117,7 @@ public:
         out += fmt::format("\n{:<51}", "(the whole shader)");
         for (std::uint32_t cost : whole_) out += fmt::format(" {:>16}", cost);
         rows_ = out + "\n";
+        if (material_.parallax) parallax();
         for (auto& stage : material_.stages) layers(stage, 0);
         return rows_;
     }
@@ -140,9 +142,19 @@ private:
         }
     }
 
+    void parallax() {
+        auto taken = std::exchange(material_.parallax, std::nullopt);
+        row("parallax", taken->kind->name, measured());
+        material_.parallax = std::move(taken);
+    }
+
     void row(const material::CheckedLayer& layer, std::size_t depth, const ForwardCost& without) {
-        std::string name = std::string(2 * depth, ' ') + printable(layer.id);
-        rows_ += fmt::format("{:<32} {:<18}", name, layer.kind ? layer.kind->name : "group");
+        row(std::string(2 * depth, ' ') + printable(layer.id), layer.kind ? layer.kind->name : "group",
+            without);
+    }
+
+    void row(const std::string& name, std::string_view kind, const ForwardCost& without) {
+        rows_ += fmt::format("{:<32} {:<18}", name, kind);
         for (std::size_t k = 0; k < whole_.size(); ++k) {
             std::int64_t costs = std::int64_t{whole_[k]} - without[k];
             rows_ += fmt::format(" {:>16}", fmt::format("{} ({} - {})", costs, whole_[k], without[k]));

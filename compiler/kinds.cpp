@@ -106,6 +106,8 @@ std::string kinds_text() {
     std::string out = "every layer, and a group of layers:\n" + rows(layers::common_fields());
     for (const layers::LayerKind* kind : layers::all_kinds())
         out += fmt::format("\n{}: {}\n{}", kind->name, kind->doc, rows(kind->fields));
+    for (const layers::ParallaxKind& kind : layers::all_parallax_kinds())
+        out += fmt::format("\nparallax {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
     for (const layers::NodeKind& kind : layers::all_node_kinds()) {
         out += fmt::format("\nnode {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
     }
@@ -114,7 +116,8 @@ std::string kinds_text() {
 
 std::string kinds_markdown() {
     std::string out =
-        "# Layer kinds and node kinds\n\nMade from the compiler's tables (`make accept`); `surfgradc kinds` "
+        "# Layer kinds, parallax kinds and node kinds\n\nMade from the compiler's tables (`make accept`); "
+        "`surfgradc kinds` "
         "prints the same.\n\n"
         "## Layers\n\nEvery layer, and a group (`\"kind\": \"group\", \"layers\": [...]`, which sums its "
         "layers and then counts as one), has:\n";
@@ -122,6 +125,14 @@ std::string kinds_markdown() {
     for (const layers::LayerKind* kind : layers::all_kinds()) {
         out += fmt::format("\n### `{}`\n\n{}; sample: [{}.json]({}.json).\n{}", kind->name, kind->doc,
                            kind->name, kind->name, table(kind->fields));
+    }
+    out +=
+        "\n## Parallax\n\nThe first entry of `bump` may have a `\"parallax\": { \"kind\": KIND, ... }`, "
+        "which "
+        "moves the surface before its layers see it.\n";
+    for (const layers::ParallaxKind& kind : layers::all_parallax_kinds()) {
+        out += fmt::format("\n### `{}`\n\n{}; sample: [parallax_{}.json](parallax_{}.json).\n{}", kind.name,
+                           kind.doc, kind.name, kind.name, table(kind.fields));
     }
     out +=
         "\n## Nodes\n\nA node is `{ \"op\": KIND, ... }`, under a name in `nodes` or in the place where its "

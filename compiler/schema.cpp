@@ -137,6 +137,18 @@ Json node_schema(const layers::NodeKind& kind, bool shorthand) {
     return out;
 }
 
+Json parallax_definition() {
+    Json any = Json::array();
+    for (const layers::ParallaxKind& kind : layers::all_parallax_kinds()) {
+        Json properties = {{"kind", {{"const", kind.name}}}};
+        std::vector<std::string> required = {"kind"};
+        add_fields(properties, required, kind.fields);
+        any.push_back(object(properties, required));
+        any.back()["description"] = kind.doc;
+    }
+    return {{"anyOf", any}};
+}
+
 Json layer_definition() {
     Json any = Json::array({group_schema()});
     for (const layers::LayerKind* kind : layers::all_kinds()) any.push_back(layer_schema(*kind));
@@ -259,10 +271,12 @@ std::string schema_text() {
                         {"uv", uv_definition()},
                         {"node", node_definition()},
                         {"argument", argument_definition()},
+                        {"parallax", parallax_definition()},
                         {"layer", layer_definition()}};
-    Json stage =
-        object({{"id", reference("name")}, {"layers", {{"type", "array"}, {"items", reference("layer")}}}},
-               {"layers"});
+    Json stage = object({{"id", reference("name")},
+                         {"parallax", reference("parallax")},
+                         {"layers", {{"type", "array"}, {"items", reference("layer")}}}},
+                        {"layers"});
     Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "surfgrad material"}};
     Json whole = object({{"$schema", {{"type", "string"}}},
                          {"version", {{"const", material::kVersion}}},

@@ -236,10 +236,11 @@ std::array<int, 4> read_swizzle(const Node& node, TextureSlot::Encoding encoding
 
 TextureSlot read_texture(const Node& node) {
     // The first two average slopes; all others mean what they say at every level.
-    static constexpr std::array<std::string_view, 8> kEncodings = {"tangent_normal", "tangent_normal_xy",
+    static constexpr std::array<std::string_view, 9> kEncodings = {"tangent_normal", "tangent_normal_xy",
                                                                    "derivative",     "object_normal",
                                                                    "world_normal",   "height",
-                                                                   "color",          "mask"};
+                                                                   "color",          "mask",
+                                                                   "parallax_map"};
     static constexpr std::array<std::string_view, 2> kSpaces = {"linear", "srgb"};
     TextureSlot slot{node.at("name").text_or_empty(), node.at("file").text_or_empty(),
                      node.at("hash").text_or_empty(), node.at("binding").integer(0, kMaxBinding)};

@@ -35,6 +35,8 @@ bool is_trivial(const Value& value) {
         case ir::Op::triplanar_axis:
         case ir::Op::planar_weights:
         case ir::Op::decal_uv:
+        case ir::Op::hit_offset:
+        case ir::Op::hit_height:
         case ir::Op::pair_first:
         case ir::Op::pair_second:
             return true;
@@ -73,7 +75,11 @@ Wording stage_wording(ir::Op op) {
 }
 
 Body::Body(const ir::Module& module, const MaterialInterface& material, Wording (*wording)(ir::Op))
-    : module_(module), material_(material), wording_(wording) {
+    : module_(module),
+      material_(material),
+      wording_(wording),
+      looks_along_ray_(std::any_of(module.values.begin(), module.values.end(),
+                                   [](const Value& v) { return ir::looks_along_ray(v.op); })) {
     count_uses();
     for (std::size_t i = 0; i < module_.values.size(); ++i) {
         std::string_view include = wording_(module_.values[i].op).include;
@@ -97,7 +103,8 @@ void Body::count_uses() {
         }
     }
     for (const ir::OutputBinding& output : module_.outputs) {
-        bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output);
+        bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output) ||
+                           output.output == ir::Output::normal_derivatives;
         uses_[output.value.index] += taken_apart ? 2 : 1;
         if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
     }
@@ -204,6 +211,8 @@ std::string Body::expression(const Value& value) const {
 bool Body::wants_name(std::size_t i, const std::string& expression) const {
     const Value& value = module_.values[i];
     if (is_trivial(value)) return false;
+    // Derivatives are taken where they stand, not where they are used behind parallax.
+    if (looks_along_ray_ && ir::takes_screen_derivatives(value.op)) return true;
     return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame ||
            expression.size() > kLongExpression;
 }

@@ -44,6 +44,7 @@ private:
     const ir::Module& module_;
     const MaterialInterface& material_;
     Wording (*wording_)(ir::Op);
+    bool looks_along_ray_;
     Names names_;
     std::vector<std::uint32_t> uses_;
     std::vector<bool> layer_result_;

@@ -28,6 +28,16 @@ constexpr FunctionWording kWordings[] = {
     {Op::time, "sg_inputs.time", ""},
     {Op::facing, "sg_inputs.facing", ""},
     {Op::frame, "sg_frame({0}, sg_inputs.position_dx, sg_inputs.position_dy, {1})", "surfgrad/frame.glsl"},
+    {Op::normal_derivatives, "SgNormalDerivatives(sg_inputs.base_normal_dx, sg_inputs.base_normal_dy)",
+     "surfgrad/frame.glsl"},
+    {Op::view, "sg_function_view(sg_inputs.to_viewer, {0})", "function/moved.glsl"},
+    {Op::frame_rebuilt,
+     "sg_function_frame_rebuilt({0}, {1}, {2}, sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, "
+     "sg_inputs.clip_w)",
+     "function/moved.glsl"},
+    {Op::volume_object_at, "sg_function_object_volume(" SG_OBJECT_MATRIX ", sg_inputs.object_origin, {0})",
+     "function/moved.glsl"},
+    {Op::volume_world_at, "sg_function_world_volume(sg_inputs.camera_position, {0})", "function/moved.glsl"},
     {Op::object_normal, "sg_function_object_normal(" SG_OBJECT_MATRIX ", {0})", "function/spaces.glsl"},
     {Op::normal_from_object, "sg_function_normal_from_object(" SG_OBJECT_MATRIX ", {0})",
      "function/spaces.glsl"},
@@ -59,6 +69,18 @@ std::vector<FunctionField> make_inputs() {
             {fmt::format("object_{}", axis), "vec3",
              fmt::format("the object's {} axis in world axes: a unit of object space, world units", axis)});
     }
+    out.push_back({"object_origin", "vec3", "the object's origin, relative world space"});
+    out.push_back({"base_normal_dx", "vec3", "change of the unit vertex normal per pixel to the right"});
+    out.push_back({"base_normal_dy", "vec3", "its change per pixel downward"});
+    out.push_back({"camera_position", "vec3", "absolute world space"});
+    out.push_back(
+        {"to_viewer", "vec4",
+         "of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0"});
+    out.push_back(
+        {"screen_x", "vec4",
+         "first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space"});
+    out.push_back({"screen_y", "vec4", "its second column"});
+    out.push_back({"clip_w", "vec4", "last row of the matrix from relative world space to clip space"});
     for (std::uint32_t set = 0; set < 8; ++set) {
         add_with_derivatives(out, fmt::format("uv{}", set), "vec2",
                              fmt::format("texture coordinate {}, t downward", set));

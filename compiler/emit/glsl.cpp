@@ -115,6 +115,14 @@ std::string debug_tail(const ir::Module& module, const Body& body, EntryInterfac
             debug_view(out, interface, space, 3, "position", value + ".p");
             debug_view(out, interface, space + "-dx", 3, "vector", value + ".dx");
             debug_view(out, interface, space + "-dy", 3, "vector", value + ".dy");
+        } else if (output.output == Output::normal_derivatives) {
+            debug_view(out, interface, "base-normal-dx", 3, "vector", value + ".dndx");
+            debug_view(out, interface, "base-normal-dy", 3, "vector", value + ".dndy");
+        } else if (output.output == Output::moved_position) {
+            debug_view(out, interface, "moved-position", 3, "position", value);
+        } else if (output.output == Output::moved_uv) {
+            debug_view(out, interface, fmt::format("moved-uv{}", output.set), 2, "uv",
+                       fmt::format("vec3({}.st, 0.0)", value));
         }
     }
     return out + "    sg_out_value = sg_shown;\n";
@@ -169,9 +177,10 @@ Used used_by(const ir::Module& module) {
     for (const ir::Value& value : module.values) {
         ir::Attribute attribute = ir::info(value.op).attribute;
         if (attribute == ir::Attribute::Parameter) used.parameters = true;
-        if (value.op == Op::time) used.frame_block = true;
-        if (value.op != Op::time && ir::info(value.op).include == "stage/object.glsl")
-            used.object_block = true;
+        std::string_view include = ir::info(value.op).include;
+        bool moved = include == "stage/moved.glsl";
+        used.frame_block |= value.op == Op::time || include == "stage/view.glsl" || moved;
+        used.object_block |= (value.op != Op::time && include == "stage/object.glsl") || moved;
         if (attribute == ir::Attribute::Function) used.shaders.insert(module.functions[value.index].shader);
         for (std::uint32_t texture : ir::textures_of(module, value)) {
             used.textures[texture] = true;

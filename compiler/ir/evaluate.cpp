@@ -32,6 +32,8 @@ struct Lister {
     void operator()(const glm::dmat4& m) { list(m[0], m[1], m[2], m[3]); }
     void operator()(const ref::Decal& d) { list(d.local, d.uv, d.grad_s, d.grad_t); }
     void operator()(const ref::DerivPair& pair) { list(pair.first, pair.second); }
+    void operator()(const ref::March& march) { list(march.hit.offset, march.hit.height); }
+    void operator()(const NormalDerivatives& n) { list(n.dndx, n.dndy); }
 
     template <class... Parts>
     void list(const Parts&... parts) {
@@ -59,11 +61,15 @@ std::vector<double> components(const Datum& datum) {
 }
 
 dvec4 Sampled::at(const ref::Uv& uv) const {
+    return at_level(uv.st, ref::uv_level(uv, dvec2(texels->size(0))) + lod_bias);
+}
+
+dvec4 Sampled::at_level(dvec2 place, double wanted) const {
     const ref::Sampler sampler{after_folding(wrap_s), after_folding(wrap_t)};
-    const dvec2 st(wrap_s == Wrap::mirror ? folded(uv.st.x) : uv.st.x,
-                   wrap_t == Wrap::mirror ? folded(uv.st.y) : uv.st.y);
+    const dvec2 st(wrap_s == Wrap::mirror ? folded(place.x) : place.x,
+                   wrap_t == Wrap::mirror ? folded(place.y) : place.y);
     const double last = texels->levels() - 1;
-    double level = std::clamp(ref::uv_level(uv, dvec2(texels->size(0))) + lod_bias, 0.0, last);
+    double level = std::clamp(wanted, 0.0, last);
     if (mips == Mips::none) level = 0.0;
     if (mips == Mips::nearest)
         level = std::ceil(level + 0.5) - 1.0;  // halves go to the finer level, as Vulkan asks

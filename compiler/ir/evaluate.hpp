@@ -13,6 +13,7 @@
 #include "ir/reference/decal.hpp"
 #include "ir/reference/frame.hpp"
 #include "ir/reference/noise.hpp"
+#include "ir/reference/parallax.hpp"
 #include "ir/reference/tbn.hpp"
 #include "ir/reference/texture.hpp"
 #include "ir/reference/triplanar.hpp"
@@ -25,16 +26,30 @@ struct Volume {
     ref::dvec3 p, dx, dy;
 };
 
+struct NormalDerivatives {
+    ref::dvec3 dndx, dndy;
+};
+
 // What a value evaluates to, by width. ir::Type keeps the meaning; the names are those of types.def's GLSL
 // column.
 using Datum = std::variant<double, ref::dvec2, ref::dvec3, ref::dvec4, ref::Frame, ref::Uv, ref::Basis,
-                           Volume, ref::TriplanarUv, ref::Noise, glm::dmat4, ref::Decal, ref::DerivPair>;
+                           Volume, ref::TriplanarUv, ref::Noise, glm::dmat4, ref::Decal, ref::DerivPair,
+                           ref::March, NormalDerivatives>;
 inline constexpr std::array<std::string_view, std::variant_size_v<Datum>> kDatumGlsl = {
-    "float",    "vec2",          "vec3",    "vec4", "SgFrame", "SgUv",       "SgBasis",
-    "SgVolume", "SgTriplanarUv", "SgNoise", "mat4", "SgDecal", "SgDerivPair"};
+    "float", "vec2",    "vec3",        "vec4",          "SgFrame",
+    "SgUv",  "SgBasis", "SgVolume",    "SgTriplanarUv", "SgNoise",
+    "mat4",  "SgDecal", "SgDerivPair", "SgParallax",    "SgNormalDerivatives"};
 
 // The components of a datum in the order of its fields.
 std::vector<double> components(const Datum& datum);
+
+// What parallax and the frames that it makes need to know of the camera.
+struct PixelCamera {
+    bool perspective = true;
+    ref::dvec3 position{0.0};              // absolute world space
+    ref::dvec3 direction{0.0, 0.0, -1.0};  // unit, where it looks
+    glm::dmat4 relative_from_screen{1.0};  // (x px, y px, depth, 1) to homogeneous relative world space
+};
 
 // What the vertex stage and the frame hand to one pixel. Conventions: compiler/artefacts.md.
 struct PixelInputs {
@@ -44,6 +59,8 @@ struct PixelInputs {
     std::array<ref::Uv, 8> uvs{};
     ref::dvec3 dpdx{1.0, 0.0, 0.0};  // of the position, per pixel
     ref::dvec3 dpdy{0.0, -1.0, 0.0};
+    ref::dvec3 dndx{0.0};  // of the unit base normal, per pixel
+    ref::dvec3 dndy{0.0};
     double facing = 1.0;  // +1 front, -1 back
     ref::dvec4 vertex_color{1.0};
     Volume object{};  // the pixel in object space
@@ -51,6 +68,8 @@ struct PixelInputs {
     double time = 0.0;
     glm::dmat3 world_from_object{1.0};   // upper 3x3
     glm::dmat3 normal_from_object{1.0};  // its inverse transpose up to a positive factor
+    ref::dvec3 object_origin{0.0};       // relative world space
+    PixelCamera camera;
 };
 
 // A texture's texels and how its sampler reads them. Isotropic; the level of detail is
@@ -66,6 +85,8 @@ struct Sampled {
     double lod_bias = 0.0;
 
     [[nodiscard]] ref::dvec4 at(const ref::Uv& uv) const;
+    // At a level of detail that the shader computed itself.
+    [[nodiscard]] ref::dvec4 at_level(ref::dvec2 st, double level) const;
 };
 
 // What the material hands to every pixel, by TextureId and ParameterId.

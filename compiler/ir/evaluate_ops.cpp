@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/ice.hpp"
+#include "ir/reference/analytic_derivatives.hpp"
 #include "ir/reference/combine.hpp"
 #include "ir/reference/deriv.hpp"
 #include "ir/reference/from_height.hpp"
@@ -256,6 +257,83 @@ Rows decals_rows() {
     };
 }
 
+dvec3 view_of(const PixelCamera& camera, dvec3 position) {
+    return camera.perspective ? -glm::normalize(position) : -camera.direction;
+}
+
+// The level of detail that the shader computes from a coordinate of the mesh.
+double level_of(const Call& c, const Uv& uv) {
+    return ref::uv_level(uv, dvec2(c.texture().texels->size(0)));
+}
+
+dvec2 steps(const Call& c, dvec3 view, const Uv& uv, double per_step, dvec2 decode, double count) {
+    dvec2 offset(0.0);
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        const double texel = c.texture().at({uv.st + offset, uv.dx, uv.dy}).x;
+        offset += per_step * (decode.x * texel + decode.y) * dvec2(view);
+    }
+    return offset;
+}
+
+ref::March occlusion(const Call& c, const Uv& uv, dvec3 view, dvec2 heights, double count) {
+    const double level = level_of(c, uv);
+    return ref::parallax_march([&](dvec2 st) { return c.texture().at_level(st, level).x; }, heights, uv.st,
+                               view, std::clamp(static_cast<int>(count), 1, 256));
+}
+
+// Parallax
+Rows parallax_rows() {
+    return {
+        Row{Op::normal_derivatives,
+            [](const Call& c, dvec3) {
+                return NormalDerivatives{c.pixel.dndx, c.pixel.dndy};
+            }},
+        Row{Op::view, [](const Call& c, dvec3 position) { return view_of(c.pixel.camera, position); }},
+        Row{Op::parallax_direction, ref::parallax_direction},
+        Row{Op::parallax_height,
+            [](const Call& c, const Uv& uv, dvec2 heights) {
+                return heights.y + heights.x * c.texture().at_level(uv.st, level_of(c, uv)).x;
+            }},
+        Row{Op::parallax_offset, ref::parallax_offset},
+        Row{Op::parallax_steps, steps},
+        Row{Op::parallax_step_count,
+            [](dvec3 view, double straight, double grazing) {
+                return grazing + (straight - grazing) * std::clamp(view.z, 0.0, 1.0);
+            }},
+        Row{Op::parallax_occlusion, occlusion},
+        Row{Op::hit_offset, [](const ref::March& march) { return march.hit.offset; }},
+        Row{Op::hit_height, [](const ref::March& march) { return march.hit.height; }},
+        Row{Op::parallax_pixels, ref::parallax_pixels},
+        Row{Op::pixels_offset, [](const Uv& uv, dvec2 pixels) { return glm::dmat2(uv.dx, uv.dy) * pixels; }},
+        Row{Op::parallax_uv, ref::parallax_uv},
+        Row{Op::parallax_detail_uv,
+            [](const Frame& mesh, const Uv& uv, dvec2 pixels, const Frame& moved) {
+                return ref::parallax_detail_uv(mesh, uv, pixels, moved.dpdx, moved.dpdy);
+            }},
+        Row{Op::parallax_position, ref::parallax_position},
+        Row{Op::parallax_normal,
+            [](dvec3 n, const NormalDerivatives& d, dvec2 pixels) {
+                return ref::parallax_normal(n, d.dndx, d.dndy, pixels);
+            }},
+        Row{Op::frame_rebuilt,
+            [](const Call& c, dvec3 position, dvec3 n, double facing) {
+                return ref::frame_rebuilt(position, n, facing < 0.0 ? -1.0 : 1.0,
+                                          view_of(c.pixel.camera, position),
+                                          c.pixel.camera.relative_from_screen);
+            }},
+        Row{Op::volume_object_at,
+            [](const Call& c, const Frame& f) {
+                const glm::dmat3 inverse = glm::inverse(c.pixel.world_from_object);
+                return Volume{inverse * (f.position - c.pixel.object_origin), inverse * f.dpdx,
+                              inverse * f.dpdy};
+            }},
+        Row{Op::volume_world_at,
+            [](const Call& c, const Frame& f) {
+                return Volume{f.position + c.pixel.camera.position, f.dpdx, f.dpdy};
+            }},
+    };
+}
+
 // Derivatives
 Rows gradients_rows() {
     return {
@@ -331,8 +409,8 @@ Rows gradients_rows() {
 const Rows& rows() {
     static const Rows table = [] {
         Rows all;
-        for (Rows part :
-             {inputs_rows(), graph_rows(), frames_rows(), lookups_rows(), decals_rows(), gradients_rows()}) {
+        for (Rows part : {inputs_rows(), graph_rows(), frames_rows(), lookups_rows(), decals_rows(),
+                          parallax_rows(), gradients_rows()}) {
             all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
         }
         return all;

@@ -46,20 +46,52 @@ constexpr OutputRow kOutputs[] = {
     {Output::vertex_color, "vertex_color", Type::Vec4},
     {Output::uv, "uv", Type::Uv},
     {Output::volume, "volume", Type::Volume},
+    {Output::normal_derivatives, "normal_derivatives", Type::NormalDerivatives},
+    {Output::moved_position, "moved_position", Type::Position},
+    {Output::moved_uv, "moved_uv", Type::Uv},
 };
-constexpr Output kOutputOrder[] = {
-    Output::normal,       Output::base_color,   Output::metallic, Output::roughness, Output::occlusion,
-    Output::emission,     Output::opacity,      Output::cutoff,   Output::frame,     Output::gradient,
-    Output::basis_vertex, Output::vertex_color, Output::uv,       Output::volume};
-constexpr std::string_view kEncodings[] = {"tangent_normal", "tangent_normal_xy",
-                                           "derivative",     "object_normal",
-                                           "world_normal",   "height",
-                                           "color",          "mask"};
+constexpr Output kOutputOrder[] = {Output::normal,
+                                   Output::base_color,
+                                   Output::metallic,
+                                   Output::roughness,
+                                   Output::occlusion,
+                                   Output::emission,
+                                   Output::opacity,
+                                   Output::cutoff,
+                                   Output::frame,
+                                   Output::gradient,
+                                   Output::basis_vertex,
+                                   Output::vertex_color,
+                                   Output::uv,
+                                   Output::volume,
+                                   Output::normal_derivatives,
+                                   Output::moved_position,
+                                   Output::moved_uv};
+constexpr std::string_view kEncodings[] = {
+    "tangent_normal", "tangent_normal_xy", "derivative", "object_normal", "world_normal", "height", "color",
+    "mask",           "parallax_map"};
 
 }  // namespace
 
 bool is_index(Attribute attribute) {
     return attribute != Attribute::None && attribute != Attribute::Zero && attribute != Attribute::Number;
+}
+
+bool takes_screen_derivatives(Op op) {
+    switch (op) {
+        case Op::uv_set:
+        case Op::volume_object:
+        case Op::volume_world:
+        case Op::frame:
+        case Op::normal_derivatives:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool looks_along_ray(Op op) {
+    return op == Op::parallax_offset || op == Op::parallax_steps || op == Op::parallax_occlusion;
 }
 
 std::string_view encoding_name(TextureEncoding encoding) {
@@ -83,7 +115,7 @@ std::span<const OpInfo> all_ops() {
 }
 
 bool is_numbered(Output output) {
-    return output == Output::uv || output == Output::volume;
+    return output == Output::uv || output == Output::volume || output == Output::moved_uv;
 }
 std::string_view output_name(Output output) {
     return kOutputs[static_cast<std::size_t>(output)].name;

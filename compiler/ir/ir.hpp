@@ -3,7 +3,8 @@
 // A Module is a list of values in evaluation order. Each value is the result of one operation (ops.def) on
 // earlier values and has one type (types.def). There is no control flow, nothing is written to, and
 // evaluating a value has no effect, so equal values may be merged and unused ones dropped. Screen derivatives
-// are taken inside uv_set and frame alone, which therefore stand for values in uniform control flow.
+// are taken by a few operations alone (takes_screen_derivatives), of values in uniform control flow; behind
+// parallax none may stand.
 //
 // What a type means is what may be done with it:
 //   * a Deriv belongs to the basis that it will be projected with; derivatives add only before that
@@ -79,6 +80,11 @@ struct OpInfo {
 const OpInfo& info(Op op);
 std::span<const OpInfo> all_ops();
 
+// Whether it takes derivatives over the screen, of what the vertex stage hands over.
+bool takes_screen_derivatives(Op op);
+// Whether it finds what the pixel shows of a displaced surface: neighbouring pixels see other places.
+bool looks_along_ray(Op op);
+
 struct Value;
 using ValueId = Id<Value>;
 
@@ -90,7 +96,8 @@ enum class TextureEncoding : std::uint8_t {
     world_normal,
     height,
     color,
-    mask
+    mask,
+    parallax_map
 };
 std::string_view encoding_name(TextureEncoding encoding);
 std::span<const std::string_view> encoding_names();  // in the order of the enumeration
@@ -164,12 +171,16 @@ enum class Output : std::uint8_t {
     basis_vertex,
     vertex_color,
     uv,
-    volume
+    volume,
+    normal_derivatives,
+    moved_position,
+    moved_uv
 };
 
 struct OutputBinding {
     Output output{};
-    std::uint32_t set = 0;  // of Output::uv: which uv set; of Output::volume: 0 object space, 1 world space
+    std::uint32_t set =
+        0;  // of Output::uv and moved_uv: which uv set; of Output::volume: 0 object space, 1 world space
     ValueId value;
     bool operator==(const OutputBinding&) const = default;
 };

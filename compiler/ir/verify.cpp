@@ -115,6 +115,20 @@ struct Verifier {
         attribute(v, row, where);
     }
 
+    // Neighbouring pixels see other places of a surface behind parallax: differences between them mean
+    // nothing.
+    void derivatives_after_parallax() {
+        std::size_t looked = 0;
+        while (looked < module.values.size() && !looks_along_ray(module.values[looked].op)) ++looked;
+        for (std::size_t i = looked; i < module.values.size(); ++i) {
+            const Op op = module.values[i].op;
+            if (!takes_screen_derivatives(op)) continue;
+            fault(fmt::format("%{}", i),
+                  fmt::format("'{}' takes screen derivatives behind parallax ('{}', %{})", info(op).name,
+                              info(module.values[looked].op).name, looked));
+        }
+    }
+
     void output(std::size_t i) {
         const OutputBinding& binding = module.outputs[i];
         std::string where = fmt::format("output {}", output_name(binding.output));
@@ -127,7 +141,8 @@ struct Verifier {
             fault(where, fmt::format("takes {}, found {} (%{})", info(output_type(binding.output)).name,
                                      info(found).name, binding.value.index));
         }
-        if (binding.set > (binding.output == Output::uv ? 7u : binding.output == Output::volume ? 1u : 0u))
+        const bool of_uv = binding.output == Output::uv || binding.output == Output::moved_uv;
+        if (binding.set > (of_uv ? 7u : binding.output == Output::volume ? 1u : 0u))
             fault(where, "has no such number");
         for (std::size_t j = 0; j < i; ++j) {
             if (module.outputs[j].output == binding.output && module.outputs[j].set == binding.set) {
@@ -142,6 +157,7 @@ struct Verifier {
 std::string verify(const Module& module) {
     Verifier verifier{module, ""};
     for (std::size_t i = 0; i < module.values.size(); ++i) verifier.value(i);
+    verifier.derivatives_after_parallax();
     for (std::size_t i = 0; i < module.outputs.size(); ++i) verifier.output(i);
     return verifier.faults;
 }

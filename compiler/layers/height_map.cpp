@@ -10,13 +10,9 @@ enum MethodChoice : std::uint32_t { kForward, kHq, kScreen };
 
 ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
-    const FieldValue& tiling = values[kTiling];
     std::uint32_t texture = values[kTexture].index;
     ir::ValueId frame = context.frame();
-    ir::ValueId uv = context.uv(values[kUv].uv);
-    if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
-        uv = builder.add(ir::Op::uv_scale, {uv, context.pair(tiling)}, "uv");
-    }
+    ir::ValueId uv = context.uv(values[kUv].uv, values[kTiling]);
     if (values[kMethod].index == kScreen)
         return builder.add_indexed(ir::Op::surfgrad_from_three_taps, texture, {frame, uv});
     ir::Op method = values[kMethod].index == kHq ? ir::Op::deriv_from_height_hq : ir::Op::deriv_from_height;

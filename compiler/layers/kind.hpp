@@ -1,6 +1,6 @@
-// The tables of layer kinds and node kinds: one row per kind, one file per layer kind. Reading, checking,
-// defaults, ranges, documentation and lowering all come from the row; nothing else in the compiler names a
-// kind.
+// The tables of layer kinds, node kinds and parallax kinds: one row per kind, one file per layer kind.
+// Reading, checking, defaults, ranges, documentation and lowering all come from the row; nothing else in the
+// compiler names a kind.
 #pragma once
 
 #include <array>
@@ -138,10 +138,21 @@ struct NodeKind {
     ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
 };
 
-// All kinds. The registries are explicit lists (layer_kinds.cpp, node_kinds.cpp).
+// How an entry of `bump` finds what is seen of a displaced surface; ends in LowerContext::move_surface.
+struct ParallaxKind {
+    std::string_view name;
+    std::string_view doc;
+    std::vector<Field> fields;
+    std::optional<FieldFault> (*check)(FieldValues values) = nullptr;
+    void (*lower)(LowerContext& context, FieldValues values) = nullptr;
+};
+
+// All kinds. The registries are explicit lists (layer_kinds.cpp, node_kinds.cpp, parallax.cpp).
 std::span<const LayerKind* const> all_kinds();
 const LayerKind* find_kind(std::string_view name);
 std::span<const NodeKind> all_node_kinds();
 const NodeKind* find_node_kind(std::string_view name);
+std::span<const ParallaxKind> all_parallax_kinds();
+const ParallaxKind* find_parallax_kind(std::string_view name);
 
 }  // namespace sg::layers

@@ -15,12 +15,12 @@ using ir::Type;
 using ir::ValueId;
 
 LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts,
-                           std::vector<NodeInstance> nodes, bool mirror)
+                           std::vector<NodeInstance> nodes, Sides sides)
     : builder_(builder),
       facts_(std::move(facts)),
       nodes_(std::move(nodes)),
       node_values_(nodes_.size()),
-      mirror_(mirror) {}
+      sides_(sides) {}
 
 void LowerContext::set_layer(ir::LayerId layer) {
     layer_ = layer;
@@ -31,28 +31,27 @@ void LowerContext::begin_stage(ValueId resolved_normal) {
     normals_.push_back(resolved_normal);
     frames_.emplace_back();
     bases_.emplace_back();
-    // Nodes may look at the normal: those of the next stage see the new one.
-    node_values_.assign(nodes_.size(), {});
+    forget_stage();
 }
 
-// Makes a value outside any layer, once. Calls nest: the layer comes back when the outermost is done.
-template <class Make>
-ValueId LowerContext::shared(ValueId& slot, Make make) {
-    if (slot.valid()) return slot;
-    ir::LayerId before = std::exchange(layer_, ir::LayerId{});
-    builder_.set_layer(layer_);
-    ValueId made =
-        make();  // may move `slot`'s container, but never the slot of a container that is filled here
-    slot = made;
-    set_layer(before);
-    return made;
+// Nodes may look at the normal: those of the next stage see the new one.
+void LowerContext::forget_stage() {
+    node_values_.assign(nodes_.size(), {});
+    rebuilt_frame_ = {};
+    moved_volumes_ = {};
+    detail_uvs_.clear();
+}
+
+void LowerContext::begin_surface() {
+    surface_ = true;
+    if (on_detail()) node_values_.assign(nodes_.size(), {});
 }
 
 ValueId LowerContext::vertex_normal() {
     return shared(vertex_normal_, [&] { return builder_.add(Op::vertex_normal); });
 }
 
-ValueId LowerContext::position() {
+ValueId LowerContext::mesh_position() {
     return shared(position_, [&] { return builder_.add(Op::position); });
 }
 
@@ -71,19 +70,21 @@ ValueId LowerContext::vertex_color() {
 ValueId LowerContext::normal() {
     return shared(normals_.back(), [&] {
         ValueId base = builder_.add(Op::base_normal, {vertex_normal()}, "base_normal");
-        return mirror_ ? builder_.add(Op::mirror_normal, {base, facing()}, "base_normal") : base;
+        return sides_ == Sides::mirror ? builder_.add(Op::mirror_normal, {base, facing()}, "base_normal")
+                                       : base;
     });
 }
 
 ValueId LowerContext::first_frame() {
     return shared(frames_.front(), [&] {
         ValueId n = normals_.size() == 1 ? normal() : normals_.front();
-        return builder_.add(Op::frame, {position(), n}, "frame");
+        return builder_.add(Op::frame, {mesh_position(), n}, "frame");
     });
 }
 
 ValueId LowerContext::frame() {
     if (frames_.size() == 1) return first_frame();
+    if (on_detail()) return rebuilt_frame();
     return shared(frames_.back(), [&] {
         return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame");
     });
@@ -106,7 +107,7 @@ ValueId LowerContext::uv_set(std::uint32_t set) {
 }
 
 ValueId LowerContext::uv(const Coordinate& c) {
-    ValueId base = uv_set(c.set);
+    ValueId base = base_uv(c.set);
     if (c.is_plain()) return base;
     ValueId scale = builder_.constant(Type::Vec2, {c.scale[0], c.scale[1]});
     bool moves = c.speed != std::array{0.0, 0.0};
@@ -121,7 +122,13 @@ ValueId LowerContext::uv(const Coordinate& c) {
     return builder_.add(Op::uv_transform, {base, scale, rotation, offset}, "uv");
 }
 
-ValueId LowerContext::volume(Space space) {
+ValueId LowerContext::uv(const Coordinate& coordinate, const FieldValue& tiling) {
+    ValueId base = uv(coordinate);
+    bool tiled = tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
+    return tiled ? builder_.add(Op::uv_scale, {base, pair(tiling)}, "uv") : base;
+}
+
+ValueId LowerContext::mesh_volume(Space space) {
     bool object = space == Space::object;
     return shared(volumes_[static_cast<std::size_t>(space)], [&] {
         return builder_.add(object ? Op::volume_object : Op::volume_world, {}, object ? "object" : "world");

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ir/ir.hpp"
@@ -27,6 +28,17 @@ struct NodeInstance {
 
 enum class Space : std::uint32_t { object, world };
 
+// How the back of the surface is shaded.
+enum class Sides : std::uint32_t { off, mirror, flip };
+
+// What parallax found, seen from the mesh.
+struct Found {
+    ir::ValueId uv;      // of the mesh: the coordinate that was looked along
+    ir::ValueId offset;  // of that coordinate
+    ir::ValueId height;  // along the normal of the side that is seen, world units
+    bool curved = true;  // whether the normal of the mesh is another one there
+};
+
 // Where a map lies: its coordinate, and the vertex basis turned with it; invalid where tangents come from the
 // coordinate.
 struct MapPlace {
@@ -35,27 +47,40 @@ struct MapPlace {
 
 class LowerContext {
 public:
-    // `facts` has one entry per texture of the module. `mirror`: the base normal turns to the visible side.
+    // `facts` has one entry per texture of the module.
     LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes,
-                 bool mirror);
+                 Sides sides);
 
     ir::Builder& builder() { return builder_; }
     // Values that are made from here on belong to this layer; shared ones belong to none.
     void set_layer(ir::LayerId layer);
     // The next stage starts from a resolved normal: new frame, new tangents.
     void begin_stage(ir::ValueId resolved_normal);
+    // What follows belongs to the surface, not to a stage: behind parallax its coordinates keep the level of
+    // detail of the mesh.
+    void begin_surface();
+
+    // ---- parallax; before anything else is lowered in its stage ----
+    // The view in the space of a coordinate, seen from the side that is shown.
+    ir::ValueId texture_view(ir::ValueId uv);
+    // A height as that side sees it.
+    ir::ValueId height_of_viewed_side(const FieldValue& height);
+    // The surface that was found takes the place of the mesh in all that follows.
+    void move_surface(const Found& found);
 
     // Of the stage.
     ir::ValueId normal();
     ir::ValueId frame();
     ir::ValueId basis_vertex();
-    // Of the mesh.
+    // Of the surface that is seen.
     ir::ValueId position();
+    ir::ValueId uv(const Coordinate& coordinate);
+    ir::ValueId uv(const Coordinate& coordinate, const FieldValue& tiling);
+    ir::ValueId volume(Space space);
+    // Of the mesh.
     ir::ValueId facing();
     ir::ValueId time();
     ir::ValueId vertex_color();
-    ir::ValueId uv(const Coordinate& coordinate);
-    ir::ValueId volume(Space space);
 
     ir::ValueId constant(double number);
     ir::ValueId number(const FieldValue& value);
@@ -84,6 +109,10 @@ public:
         return volumes_[static_cast<std::size_t>(space)];
     }
     [[nodiscard]] const std::map<std::uint32_t, ir::ValueId>& uv_sets() const { return uv_sets_; }
+    // Behind parallax alone.
+    [[nodiscard]] ir::ValueId made_normal_derivatives() const { return normal_derivatives_; }
+    [[nodiscard]] ir::ValueId moved_position() const { return moved_position_; }
+    [[nodiscard]] const std::map<std::uint32_t, ir::ValueId>& moved_uvs() const { return moved_uvs_; }
 
 private:
     template <class Make>
@@ -92,20 +121,53 @@ private:
     ir::ValueId lowered(NodeId id);
     void lower_operands(NodeId id);
     ir::ValueId vertex_normal();
+    ir::ValueId mesh_position();
     ir::ValueId uv_set(std::uint32_t set);
+    ir::ValueId base_uv(std::uint32_t set);
+    ir::ValueId moved_uv(std::uint32_t set);
+    ir::ValueId mesh_volume(Space space);
+    ir::ValueId viewed_frame();
+    ir::ValueId rebuilt_frame();
+    [[nodiscard]] bool moved() const { return found_.offset.valid(); }
+    // Whether a resolve stands between parallax and what is lowered.
+    [[nodiscard]] bool on_detail() const { return moved() && normals_.size() > moved_in_; }
+    void forget_stage();
 
     ir::Builder& builder_;
     std::vector<TextureFacts> facts_;
     std::vector<NodeInstance> nodes_;
     std::vector<ir::ValueId> node_values_;
     std::size_t depth_ = 0;  // of nodes that are being lowered
-    bool mirror_;
+    Sides sides_;
     ir::LayerId layer_;
     ir::ValueId vertex_normal_, position_, facing_, time_, vertex_color_, vertex_tangents_;
     std::array<ir::ValueId, 2> volumes_;
     std::map<std::uint32_t, ir::ValueId> uv_sets_;
+    // Of the surface that parallax found.
+    Found found_;
+    std::size_t moved_in_ = 0;  // normals_.size() of its stage
+    bool surface_ = false;      // see begin_surface
+    ir::ValueId viewed_frame_, normal_derivatives_, pixels_, moved_position_;
+    std::map<std::uint32_t, ir::ValueId> moved_uvs_;
+    // The same in the current stage.
+    ir::ValueId rebuilt_frame_;
+    std::array<ir::ValueId, 2> moved_volumes_;
+    std::map<std::uint32_t, ir::ValueId> detail_uvs_;
     // By stage; the last is the current one.
     std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};
 };
+
+// Makes a value outside any layer, once. Calls nest: the layer comes back when the outermost is done.
+template <class Make>
+ir::ValueId LowerContext::shared(ir::ValueId& slot, Make make) {
+    if (slot.valid()) return slot;
+    ir::LayerId before = std::exchange(layer_, ir::LayerId{});
+    builder_.set_layer(layer_);
+    ir::ValueId made =
+        make();  // may move `slot`'s container, but never the slot of a container that is filled here
+    slot = made;
+    set_layer(before);
+    return made;
+}
 
 }  // namespace sg::layers

@@ -77,14 +77,8 @@ ValueId over_range(LowerContext& context, ValueId value, const FieldValue& range
     return context.builder().add(Op::smoothstep, {low, context.constant(range.number[1]), value});
 }
 
-ValueId tiled_uv(LowerContext& context, const FieldValue& uv, const FieldValue& tiling) {
-    ValueId coordinate = context.uv(uv.uv);
-    bool tiled = tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
-    return tiled ? context.builder().add(Op::uv_scale, {coordinate, context.pair(tiling)}, "uv") : coordinate;
-}
-
 ValueId texel(LowerContext& context, FieldValues values) {
-    ValueId uv = tiled_uv(context, values[1], values[2]);
+    ValueId uv = context.uv(values[1].uv, values[2]);
     return context.texel({values[0].index}, uv);
 }
 

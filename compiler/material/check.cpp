@@ -24,6 +24,24 @@ CheckedLayer Checker::layer(const LayerDecl& decl) {
     return checked;
 }
 
+// Layers before it would have been looked up where the mesh is, not where the eye looks.
+void Checker::parallax() {
+    for (std::size_t i = 0; i < in.bump.size(); ++i) {
+        const std::optional<ParallaxDecl>& decl = in.bump[i].parallax;
+        if (!decl) continue;
+        CheckedParallax checked{.kind = decl->kind};
+        checked.values = values(fmt::format("a parallax of kind '{}'", decl->kind->name), decl->kind->fields,
+                                decl->entries);
+        together(*decl->kind, decl->at, decl->entries, checked.values);
+        if (i > 0) {
+            error(Code::parallax_place, decl->at,
+                  "a parallax behind a resolve, expected it in the first entry of 'bump'",
+                  {note("that entry is here", in.bump[0].at)});
+        }
+        out.parallax = std::move(checked);
+    }
+}
+
 void Checker::claim_layers(const std::vector<LayerDecl>& decls, std::map<std::string_view, At>& seen) {
     for (const LayerDecl& decl : decls) {
         auto [first, fresh] =
@@ -113,6 +131,7 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     checker.ids();
     checker.textures();
     checker.nodes();
+    checker.parallax();
     for (const StageDecl& stage : material.bump) {
         checker.out.stages.emplace_back();
         for (const LayerDecl& decl : stage.layers) checker.out.stages.back().push_back(checker.layer(decl));

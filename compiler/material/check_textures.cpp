@@ -15,7 +15,8 @@ bool holds_directions(ir::TextureEncoding encoding) {
     return encoding == tangent_normal || encoding == tangent_normal_xy || encoding == derivative;
 }
 bool holds_signed_numbers(ir::TextureEncoding encoding) {
-    return holds_directions(encoding) || encoding == object_normal || encoding == world_normal;
+    return holds_directions(encoding) || encoding == object_normal || encoding == world_normal ||
+           encoding == parallax_map;
 }
 
 }  // namespace
@@ -41,7 +42,10 @@ std::vector<bool> Checker::used_textures() const {
         }
     };
     for (const NodeDecl& node : in.nodes) mark(node.entries);
-    for (const StageDecl& stage : in.bump) mark_layers(mark_layers, stage.layers);
+    for (const StageDecl& stage : in.bump) {
+        if (stage.parallax) mark(stage.parallax->entries);
+        mark_layers(mark_layers, stage.layers);
+    }
     return used;
 }
 

@@ -61,6 +61,11 @@ struct ShaderCall {
     At file_at, function_at;
 };
 
+struct CheckedParallax {
+    const layers::ParallaxKind* kind = nullptr;
+    std::vector<layers::FieldValue> values;  // one per field of the kind
+};
+
 struct CheckedSurface {
     layers::FieldValue base_color, metallic, roughness, occlusion, emission, opacity;
     std::optional<double> alpha_test;
@@ -75,6 +80,7 @@ struct CheckedMaterial {
     std::vector<std::pair<std::string, std::string>> bases;  // that it extends: file and hash
     std::vector<CheckedShader> shaders;
     std::vector<ShaderCall> calls;
+    std::optional<CheckedParallax> parallax;        // of the first stage
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
     CheckedSurface surface;
     Budget budget;

@@ -33,6 +33,7 @@ struct Checker {
     void ids();
     void claim_layers(const std::vector<LayerDecl>& layers, std::map<std::string_view, At>& seen);
     CheckedLayer layer(const LayerDecl& decl);
+    void parallax();
     void surface();
     void parameters();
     std::size_t layer_count = 0;

@@ -18,10 +18,11 @@ public:
           module_(declarations(material)),
           builder_(module_),
           context_(builder_, facts(material), material.nodes,
-                   material.surface.two_sided == TwoSided::mirror) {}
+                   static_cast<layers::Sides>(material.surface.two_sided)) {}
 
     ir::Module run() {
         ValueId gradient, normal;
+        if (material_.parallax) parallax(*material_.parallax);
         for (std::size_t i = 0; i < material_.stages.size(); ++i) {
             if (i > 0) context_.begin_stage(normal);
             ValueId g = sum(material_.stages[i]);
@@ -32,9 +33,10 @@ public:
         if (!normal.valid()) normal = builder_.add(Op::resolve, {context_.normal(), gradient}, "normal");
         if (material_.surface.two_sided == TwoSided::flip)
             normal = builder_.add(Op::flip, {normal, context_.facing()}, "normal");
+        context_.begin_surface();
         surface(normal);
         inputs(gradient);
-        return std::move(module_);
+        return material_.parallax ? derivatives_first(std::move(module_)) : std::move(module_);
     }
 
 private:
@@ -52,6 +54,14 @@ private:
         std::vector<layers::TextureFacts> out;
         for (const CheckedTexture& t : material.textures) out.push_back(t.facts);
         return out;
+    }
+
+    void parallax(const CheckedParallax& parallax) {
+        ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
+        module_.layers.push_back({"parallax", std::string(parallax.kind->name)});
+        context_.set_layer(id);
+        parallax.kind->lower(context_, parallax.values);
+        context_.set_layer({});
     }
 
     // The layers of a stage or group from first to last (Eq 13 and 14).
@@ -129,6 +139,38 @@ private:
                 builder_.output(ir::Output::volume, context_.made_volume(space),
                                 static_cast<std::uint32_t>(space));
         }
+        if (context_.made_normal_derivatives().valid())
+            builder_.output(ir::Output::normal_derivatives, context_.made_normal_derivatives());
+        if (context_.moved_position().valid())
+            builder_.output(ir::Output::moved_position, context_.moved_position());
+        for (const auto& [set, value] : context_.moved_uvs())
+            builder_.output(ir::Output::moved_uv, value, set);
+    }
+
+    // Screen derivatives, and what they are taken of, stand in front of parallax. (They depend on the mesh
+    // alone.)
+    static ir::Module derivatives_first(ir::Module module) {
+        std::vector<bool> early(module.values.size(), false);
+        for (std::size_t i = module.values.size(); i-- > 0;) {
+            if (ir::takes_screen_derivatives(module.values[i].op)) early[i] = true;
+            if (!early[i]) continue;
+            for (ValueId operand : module.values[i].operands) early[operand.index] = true;
+        }
+        std::vector<ValueId> place(module.values.size());
+        std::vector<ir::Value> sorted;
+        for (bool wanted : {true, false}) {
+            for (std::size_t i = 0; i < module.values.size(); ++i) {
+                if (early[i] != wanted) continue;
+                place[i] = {static_cast<std::uint32_t>(sorted.size())};
+                sorted.push_back(std::move(module.values[i]));
+            }
+        }
+        for (ir::Value& value : sorted) {
+            for (ValueId& operand : value.operands) operand = place[operand.index];
+        }
+        for (ir::OutputBinding& output : module.outputs) output.value = place[output.value.index];
+        module.values = std::move(sorted);
+        return module;
     }
 
     const CheckedMaterial& material_;

@@ -126,9 +126,16 @@ struct LayerDecl {
     std::vector<LayerDecl> equivalent;  // at most one: what a user's function must amount to
 };
 
+struct ParallaxDecl {
+    const layers::ParallaxKind* kind = nullptr;
+    At at;
+    std::vector<FieldEntry> entries;
+};
+
 struct StageDecl {
     Located<std::string> id;
     At at;
+    std::optional<ParallaxDecl> parallax;
     std::vector<LayerDecl> layers;
 };
 

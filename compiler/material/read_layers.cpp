@@ -100,11 +100,39 @@ void Reader::equivalent(ObjectReader& reader, const Field& row, LayerDecl& decl)
     decl.equivalent.push_back(std::move(*found));
 }
 
+std::optional<ParallaxDecl> Reader::parallax(const Value& value, const std::string& pointer) {
+    const Value* kind_value = value.kind == json::Kind::object ? value.find("kind") : nullptr;
+    const layers::ParallaxKind* kind = nullptr;
+    if (kind_value && kind_value->kind == json::Kind::string) {
+        kind = layers::find_parallax_kind(kind_value->string);
+        if (!kind) {
+            std::vector<std::string_view> names;
+            for (const layers::ParallaxKind& k : layers::all_parallax_kinds()) names.push_back(k.name);
+            std::string hint = did_you_mean(kind_value->string, names);
+            if (hint.empty()) hint = fmt::format(", expected {}", one_of(names));
+            diags.error(Code::unknown_kind, {source, kind_value->span, pointer + "/kind"},
+                        fmt::format("unknown parallax kind '{}'{}", printable(kind_value->string), hint));
+            return std::nullopt;
+        }
+    }
+    std::vector<std::string_view> keys = {"kind"};
+    if (kind) {
+        add_names(keys, kind->fields);
+    } else if (value.kind == json::Kind::object) {
+        keys = all_keys(value);
+    }
+    ObjectReader reader = object(
+        value, pointer, kind ? fmt::format("a parallax of kind '{}'", kind->name) : "a parallax", keys);
+    if (!reader.string("kind", true) || !kind) return std::nullopt;
+    return ParallaxDecl{kind, reader.at(), entries(reader, kind->fields)};
+}
+
 void Reader::stage(const Value& value, const std::string& pointer) {
-    ObjectReader reader = object(value, pointer, "an entry of 'bump'", {"id", "layers"});
+    ObjectReader reader = object(value, pointer, "an entry of 'bump'", {"id", "parallax", "layers"});
     if (!reader.ok()) return;
     StageDecl decl{.at = reader.at()};
     if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    if (const Value* found = reader.get("parallax")) decl.parallax = parallax(*found, pointer + "/parallax");
     for (const auto& [item, item_pointer] : reader.array("layers", true)) {
         if (auto found = layer(*item, item_pointer)) decl.layers.push_back(std::move(*found));
     }

@@ -148,7 +148,7 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
     // What the vertex stage hands over is worth showing only while some layer needs them.
     auto only_shown = [&](const ir::OutputBinding& o) {
         return is_numbered(o.output) || o.output == ir::Output::basis_vertex ||
-               o.output == ir::Output::vertex_color;
+               o.output == ir::Output::vertex_color || o.output == ir::Output::normal_derivatives;
     };
     ir::Module needed = out;
     std::erase_if(needed.outputs, only_shown);

@@ -18,6 +18,7 @@ constexpr std::array<TextureRecipe, 15> kRecipes{{
     {"ramp_normal.png", 256, ramp_height, false, true, 127.5},
     {"pebble_normal.png", 256, pebble_height, false, true, 127.0},
     {"pebble_height.png", 128, pebble_height, false, true, 127.5, Content::height, 0.0, 0.04},
+    {"pebble_parallax.png", 128, pebble_height, false, true, 128.0, Content::parallax, 0.0, 0.04},
     {"weave_derivative.png", 128, weave_height, true, false, 127.5, Content::derivative, 0.0, 4.0},
     {"weave_packed.png", 128, weave_height, true, false, 127.5, Content::packed, 0.0, 0.04},
     {"moss_mask.png", 64, pebble_height, false, true, 127.5, Content::mask},
@@ -104,6 +105,13 @@ Rgb texel_of(const TextureRecipe& recipe, double s, double t, double texel) {
         case Content::height: {
             const double h = (recipe.height(s, t) - recipe.low) / (recipe.high - recipe.low);
             return {h, h, h};
+        }
+        case Content::parallax: {
+            const double h = (recipe.height(s, t) - recipe.low) / (recipe.high - recipe.low);
+            const Slope slope = mean_slope(recipe.height, s, t, texel);
+            const double n_z = 1.0 / std::sqrt(1.0 + slope.s * slope.s + slope.t * slope.t);
+            const double v = encode(n_z * (2.0 * h - 1.0), recipe.zero);
+            return {v, v, v};
         }
         case Content::derivative:
             return derivative_texel(recipe, s, t, texel);

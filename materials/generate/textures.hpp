@@ -13,6 +13,7 @@ enum class Content {
     normal,      // tangent-space normals of the height
     height,      // the height, from `low` to `high` over 0..1, in all channels
     derivative,  // the derivative of the height, `high` over 1, in red and green
+    parallax,    // n_z (2 h - 1) of the height over 0..1, signed, in all channels
     mask,        // 0 or 1 with soft borders, by a smooth noise of its own
     color,       // sRGB: dark where the height is low
     packed,      // a normal's x in alpha and y in green, as DXT5nm keeps them; the mask in red, the height in

@@ -4,12 +4,7 @@
 
 #include "lighting/ggx.glsl"
 #include "stage/frame_block.glsl"
-
-// Unit, towards the viewer. Orthographic cameras see along one direction; of the two terms one is 0.
-vec3 sg_stage_view(vec3 position) {
-    vec3 away = sg_frame_block.camera_position.w * position + sg_frame_block.view_direction.xyz;
-    return -away * inversesqrt(max(dot(away, away), 1e-30));
-}
+#include "stage/view.glsl"
 
 // Linear radiance towards the viewer.
 vec3 sg_stage_forward(SgSurface surface, vec3 position, vec3 normal) {

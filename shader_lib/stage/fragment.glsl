@@ -13,6 +13,12 @@ SgUv sg_stage_uv(vec2 st) { return SgUv(st, dFdxFine(st), dFdyFine(st)); }
 // A place in the space of a lookup with its derivatives over the screen.
 SgVolume sg_stage_volume(vec3 p) { return SgVolume(p, dFdxFine(p), dFdyFine(p)); }
 
+// The derivatives of the base normal over the screen. vertex_normal: as interpolated.
+SgNormalDerivatives sg_stage_normal_derivatives(vec3 vertex_normal) {
+    vec3 n = sg_base_normal(vertex_normal);
+    return SgNormalDerivatives(dFdxFine(n), dFdyFine(n));
+}
+
 // The frame of the surface under this pixel. position: relative world space; n: unit.
 SgFrame sg_stage_frame(vec3 position, vec3 n) {
     return sg_frame(position, dFdxFine(position), dFdyFine(position), n);

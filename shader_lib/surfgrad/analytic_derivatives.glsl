@@ -43,14 +43,14 @@ SgScreenDerivatives sg_analytic_derivatives(vec3 position, vec3 n, vec3 view, ma
 //   position: the moved point, relative world space; n: its unit normal; facing: +1, or -1 where n points away because
 //   the back of a "flip" surface is seen; view: unit, towards the viewer; relative_from_screen: as above;
 //   clip_from_relative: its inverse up to the viewport.
-// Result: a whole frame; dpdx and dpdy analytic; flip_sign of the visible side. Cost: 84 instructions.
+// Result: a whole frame; dpdx and dpdy analytic; flip_sign of n, however far that faces away. Cost: 84 instructions.
 // Source: sections 3.7 and 4.6.
 SgFrame sg_frame_rebuilt(vec3 position, vec3 n, float facing, vec3 view, mat4 relative_from_screen,
                          mat4 clip_from_relative) {
     float clip_w = (clip_from_relative * vec4(position, 1.0)).w;
     vec3 plane = sg_facing_normal(facing * n, view);
     SgScreenDerivatives d = sg_analytic_derivatives(position, plane, view, relative_from_screen, clip_w);
-    float sign_dp = dot(d.dpdy, cross(plane, d.dpdx)) < 0.0 ? -facing : facing;
+    float sign_dp = dot(d.dpdy, cross(n, d.dpdx)) < 0.0 ? -1.0 : 1.0;
     return SgFrame(position, n, d.dpdx, d.dpdy, sg_reject(d.dpdx, n), sg_reject(d.dpdy, n), sign_dp);
 }
 

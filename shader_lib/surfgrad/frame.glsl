@@ -13,6 +13,11 @@ struct SgFrame {
     float flip_sign;  // +1 if (dpdx, dpdy, n) is right-handed, else -1
 };
 
+struct SgNormalDerivatives {
+    vec3 dndx;  // change of the unit base normal per pixel to the right
+    vec3 dndy;  // per pixel downward
+};
+
 // The part of v perpendicular to n.
 //   v: any; n: unit, same space. Result: |dot(result, n)| within rounding of |v|. Cost: 7 instructions. Source: Eq 6.
 vec3 sg_reject(vec3 v, vec3 n) { return v - dot(v, n) * n; }

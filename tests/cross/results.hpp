@@ -34,6 +34,8 @@ struct Limit {
     std::size_t one_alone = 0;  // pixels
 };
 Limit limit_of(const target::Target& target, const Shown& shown = shown("normal"));
+// The same for a sample: where a ray is marched, a rounding may decide at which step it ends.
+Limit limit_of(const target::Target& target, const Shown& shown, const Sample& sample);
 
 // The tools of a target, for people.
 std::string_view accepted_by(const target::Target& target);

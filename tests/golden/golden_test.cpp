@@ -1,5 +1,6 @@
 // Every sample in materials/: golden IR, optimised IR, GLSL and manifest; every shader valid; the same bytes
 // again.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,6 +78,20 @@ TEST_P(Sample, EveryShaderIsValidAtEveryLevel) {
     }
 }
 
+// Neighbouring pixels see other places behind parallax.
+TEST_P(Sample, NoDerivativeInstructionStandsBehindParallax) {
+    for (const NamedText& t : compile(GetParam()).glsl) {
+        const std::size_t main = t.text.find("void main()"), looked = t.text.find("sg_parallax_", main);
+        if (main == t.text.npos || looked == t.text.npos) continue;
+        for (const ir::OpInfo& op : ir::all_ops()) {
+            if (!ir::takes_screen_derivatives(op.op)) continue;
+            const std::string call(op.glsl.substr(0, op.glsl.find('(') + 1));
+            const std::size_t last = t.text.rfind(call);
+            EXPECT_TRUE(last == t.text.npos || last < looked) << t.name << ": " << call;
+        }
+    }
+}
+
 TEST_P(Sample, SameBytesTwice) {
     EXPECT_EQ(compile(GetParam()).files, compile(GetParam()).files);
 }
@@ -119,6 +134,10 @@ TEST(Samples, EveryLayerKindHasOne) {
     EXPECT_GE(stems.size(), 3u);
     for (const layers::LayerKind* kind : layers::all_kinds()) {
         EXPECT_TRUE(stems.count(std::string(kind->name))) << "materials/" << kind->name << ".json is missing";
+    }
+    for (const layers::ParallaxKind& kind : layers::all_parallax_kinds()) {
+        EXPECT_TRUE(stems.count(fmt::format("parallax_{}", kind.name)))
+            << "materials/parallax_" << kind.name << ".json is missing";
     }
 }
 

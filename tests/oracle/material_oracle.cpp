@@ -73,6 +73,13 @@ const runtime::Scene& scene(Seen seen) {
     return seen == Seen::outside ? kOutside : kInside;
 }
 
+ir::PixelCamera camera_of(const runtime::Scene& scene) {
+    const runtime::CameraMatrices matrices =
+        runtime::camera_matrices(scene.camera, runtime::bounds_of(scene.content), kPixels, kPixels);
+    return {scene.camera.ortho_height <= 0, scene.camera.position, matrices.direction,
+            matrices.relative_from_screen};
+}
+
 std::map<std::string, runtime::Picture> draw(const truth::Made& made, Seen seen,
                                              const std::vector<runtime::View>& views) {
     Diags diags;
@@ -215,6 +222,7 @@ void vertex_vectors(PixelInputs& pixel, dvec3 n, dvec3 tangent, dvec3 bitangent)
 std::vector<PixelInputs> draw_inputs(const std::string& sample, Seen seen) {
     const truth::Made made = made_of(sample, "debug", Levels::first, target::embedded_library());
     const auto pictures = draw(made, seen, runtime::debug_views(made.artefact));
+    const ir::PixelCamera camera = camera_of(scene(seen));
     std::vector<PixelInputs> out;
     for (std::uint32_t y = 0; y < kPixels; ++y) {
         for (std::uint32_t x = 0; x < kPixels; ++x) {
@@ -229,6 +237,12 @@ std::vector<PixelInputs> draw_inputs(const std::string& sample, Seen seen) {
             pixel.vertex_normal = n;
             pixel.dpdx = vec3("dpdx");
             pixel.dpdy = vec3("dpdy");
+            if (pictures.contains("base-normal-dx")) {
+                pixel.dndx = vec3("base-normal-dx");
+                pixel.dndy = vec3("base-normal-dy");
+            }
+            pixel.camera = camera;
+            pixel.object_origin = -camera.position;
             if (pictures.contains("tangent")) vertex_vectors(pixel, n, vec3("tangent"), vec3("bitangent"));
             for (std::size_t set = 0; set < pixel.uvs.size(); ++set) {
                 const std::string name = "uv" + std::to_string(set);

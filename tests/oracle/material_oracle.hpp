@@ -48,7 +48,8 @@ std::vector<std::string> validation_messages();
 // Degrees, of one pixel.
 struct Deviation {
     double error = 0.0;
-    double bound = 0.0;  // see deviation.cpp
+    double bound = 0.0;   // see deviation.cpp
+    bool decided = true;  // false: rounding decides at which step a march ends, and no bound holds
 };
 Deviation deviation(const Material& material, const ir::Module& module, const ir::PixelInputs& pixel,
                     ref::dvec3 normal);
@@ -59,6 +60,7 @@ struct Comparison {
     double median = 0.0, median_bound = 0.0;
     double p999 = 0.0, p999_bound = 0.0;  // 99.9th percentiles
     double beyond = 0.0;                  // the share of pixels whose error is beyond their own bound
+    double undecided = 0.0;               // the share of pixels that were left out
     [[nodiscard]] bool holds() const;
 };
 // `module` is material.module or a mutant of it. Every `stride`th pixel is looked at.

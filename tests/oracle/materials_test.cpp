@@ -16,8 +16,8 @@ namespace {
 std::string report(const std::string& name, const Comparison& c) {
     return fmt::format(
         "{:44} median {:.6f} (bound {:.6f})  p99.9 {:.6f} (bound {:.6f})  {:.3f} % beyond their own  of {} "
-        "pixels\n",
-        name, c.median, c.median_bound, c.p999, c.p999_bound, 100 * c.beyond, c.pixels);
+        "pixels, {:.3f} % undecided\n",
+        name, c.median, c.median_bound, c.p999, c.p999_bound, 100 * c.beyond, c.pixels, 100 * c.undecided);
 }
 
 const std::vector<ir::PixelInputs>& inputs_of(const std::string& sample, Seen seen) {
@@ -57,7 +57,11 @@ TEST_P(MaterialOracle, RenderAgreesWithTheInterpreter) {
             EXPECT_TRUE(c.holds()) << text;
             // A bound that says nothing would not be worth its derivation.
             // (Near a pole a map changes by up to 3 degrees within the level that a driver may be off.)
-            EXPECT_LT(c.p999_bound, levels == Levels::first ? 0.05 : 3.0);
+            // (Behind parallax, a ray that grazes the surface moves the hit by many times what rounding does
+            // to heights.)
+            const bool grazes = std::any_of(material.module.values.begin(), material.module.values.end(),
+                                            [](const ir::Value& v) { return ir::looks_along_ray(v.op); });
+            EXPECT_LT(c.p999_bound, levels == Levels::all ? 3.0 : grazes ? 0.15 : 0.05);
         }
     }
 }
@@ -113,6 +117,20 @@ const std::vector<ShaderMutant> kShaderMutants = {
      "normal_blend.json"},
     {"reoriented_the_other_way", "surfgrad/combine.glsl", "vec3 u = vec3(-b.xy, b.z);",
      "vec3 u = vec3(b.xy, b.z);", "normal_blend.json"},
+    {"parallax_goes_the_other_way", "surfgrad/parallax.glsl", "{ return height * view.xy; }",
+     "{ return -height * view.xy; }", "parallax_offset.json"},
+    {"march_ends_at_a_step", "surfgrad/parallax.glsl", "float height = ray + back * drop;",
+     "float height = ray;", "parallax_occlusion.json"},
+    {"the_mesh_keeps_its_normal", "surfgrad/parallax.glsl", "n + pixels.x * dndx + pixels.y * dndy", "n",
+     "parallax_occlusion.json"},
+    {"half_a_parallax_map_is_lost", "surfgrad/parallax.glsl", "(decode.x * texel + decode.y)",
+     "max(decode.x * texel + decode.y, 0.0)", "parallax_steps.json"},
+    {"detail_stays_where_the_mesh_is", "surfgrad/parallax.glsl",
+     "uv.st + pixels.x * uv.dx + pixels.y * uv.dy", "uv.st", "parallax_detail.json"},
+    {"world_place_forgets_the_camera", "stage/moved.glsl",
+     "frame.position + sg_frame_block.camera_position.xyz", "frame.position", "parallax_dents.json"},
+    {"footprints_are_four_times_as_large", "stage/moved.glsl", "frame.dpdx * rows, frame.dpdy * rows",
+     "4.0 * frame.dpdx * rows, 4.0 * frame.dpdy * rows", "parallax_dents.json"},
     {"tiling_leaves_dx", "surfgrad/uv.glsl", "uv.st * scale, uv.dx * scale,", "uv.st * scale, uv.dx,",
      "normal_map.json", Levels::all},
     {"reads_are_half_a_level_too_fine", "surfgrad/sample.glsl", "uv.st, uv.dx, uv.dy);",

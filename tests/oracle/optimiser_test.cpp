@@ -56,6 +56,25 @@ double largest_term(const Module& module, const std::vector<ir::Datum>& values) 
     return largest;
 }
 
+// Whether rounding may decide how many steps a march has, or at which it ends.
+bool near_next_step(const Module& module, const std::vector<ir::Datum>& values, const ir::Value& v) {
+    constexpr double kNear = 1e-9;
+    const ValueId count = v.operands.back();
+    const double steps = std::get<double>(values[count.index]);
+    const Op op = module.at(count).op;
+    const bool exact = op == Op::constant || op == Op::parameter;
+    if (!exact && std::abs(steps - std::round(steps)) < kNear) return true;
+    const auto* march = std::get_if<ref::March>(&values[static_cast<std::size_t>(&v - module.values.data())]);
+    return march && march->closest < kNear;
+}
+
+// Whether a rebuilt frame is seen at less than about 3 degrees: the reference's differences over a part of a
+// pixel (a hundredth of the distance, random_pixel) lose digits with the square of what the pixel covers.
+bool edge_on(const ref::Frame& frame) {
+    const double pixel = 0.01 * glm::length(frame.position);
+    return std::max(glm::length(frame.dpdx), glm::length(frame.dpdy)) > 20 * pixel;
+}
+
 // Whether a step is so sharp that it makes rounding large, or lets it decide on which side of the step a
 // value lies: narrower than a thousandth of what steps over it.
 bool jumps(const Module& module, const std::vector<ir::Datum>& values) {
@@ -68,6 +87,12 @@ bool jumps(const Module& module, const std::vector<ir::Datum>& values) {
             case Op::smoothstep:
                 return std::abs(number(v, 1) - number(v, 0)) <
                        kNarrow * std::max(1.0, std::abs(number(v, 2)));
+            case Op::parallax_steps:
+            case Op::parallax_occlusion:
+                return near_next_step(module, values, v);
+            case Op::frame_rebuilt:
+                return edge_on(
+                    std::get<ref::Frame>(values[static_cast<std::size_t>(&v - module.values.data())]));
             case Op::decal_angle_fade:
                 return std::abs(number(v, 2) - number(v, 3)) < kNarrow;
             case Op::decal_falloff_box:
@@ -98,6 +123,11 @@ ir::PixelInputs nudged(const ir::PixelInputs& pixel, std::uint32_t variant) {
     nudge(out.dpdx, 3);
     nudge(out.dpdy, 3);
     nudge(out.vertex_color, 4);
+    nudge(out.dndx, 3);
+    nudge(out.dndy, 3);
+    nudge(out.object_origin, 3);
+    nudge(out.camera.position, 3);
+    for (int column = 0; column < 4; ++column) nudge(out.camera.relative_from_screen[column], 4);
     for (ir::Volume* volume : {&out.object, &out.world}) {
         for (ref::dvec3* part : {&volume->p, &volume->dx, &volume->dy}) nudge(*part, 3);
     }
@@ -153,7 +183,7 @@ constexpr std::uint64_t kModules = 5000;
 
 TEST(OptimiserMeaning, RandomModulesVerify) {
     std::map<Op, std::size_t> seen;
-    for (std::uint64_t i = 0; i < 100; ++i) {
+    for (std::uint64_t i = 0; i < 1000; ++i) {
         const Module module = make_subject(i).made.module;
         ASSERT_EQ(ir::verify(module), "") << ir::print(module);
         for (const ir::Value& value : module.values) ++seen[value.op];

@@ -13,7 +13,9 @@ using ir::Op;
 using ir::Type;
 using ir::ValueId;
 
-constexpr std::size_t kValues = 180, kMaxDepth = 3;
+constexpr std::size_t kValues = 200, kMaxDepth = 3;
+constexpr std::size_t kBeforeParallax =
+    60;  // of these take screen derivatives, of the others look along rays
 constexpr std::uint32_t kTextures = 2, kSets = 3;
 
 class Generator {
@@ -28,7 +30,11 @@ public:
             out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
             out_.parameters.push_back(ir::datum_of(type, numbers()));
         }
-        while (out_.module.values.size() < kValues) add(ir::all_ops()[below(ir::all_ops().size())]);
+        while (out_.module.values.size() < kValues) {
+            const ir::OpInfo& op = pick_op();
+            const bool looks = out_.module.values.size() >= kBeforeParallax;
+            if (looks ? !ir::takes_screen_derivatives(op.op) : !ir::looks_along_ray(op.op)) add(op);
+        }
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
             if (values.empty()) continue;
@@ -43,6 +49,18 @@ public:
 private:
     std::size_t below(std::size_t count) {
         return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+    }
+
+    // Coordinates and bases, which many rules look at, more often than the rest.
+    const ir::OpInfo& pick_op() {
+        const std::span<const ir::OpInfo> all = ir::all_ops();
+        const bool any = below(8) != 0;
+        for (;;) {
+            const ir::OpInfo& op = all[below(all.size())];
+            if (any || op.include == "surfgrad/tbn.glsl" || op.include == "surfgrad/uv.glsl" ||
+                op.include == "surfgrad/combine.glsl")
+                return op;
+        }
     }
 
     // Numbers that rules look for, and others; small, so that chains of factors stay within reason.
@@ -149,6 +167,20 @@ RandomModule random_module(std::mt19937_64& random) {
     return Generator(random).make();
 }
 
+namespace {
+
+// Of a camera that looks along -z, turned: 100 pixels over a tangent of 1, depth 1 at the near plane.
+glm::dmat4 screen(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const glm::dvec3 back = glm::normalize(glm::dvec3(unit(random), unit(random), 2.0));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+    const glm::dvec3 up = glm::cross(back, right);
+    return glm::dmat4(glm::dvec4(0.01 * right, 0.0), glm::dvec4(-0.01 * up, 0.0),
+                      glm::dvec4(0.0, 0.0, 0.0, 1.0), glm::dvec4(-back - 0.5 * right + 0.5 * up, 0.0));
+}
+
+}  // namespace
+
 ir::PixelInputs random_pixel(std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     auto vec2 = [&](double size) { return size * ref::dvec2(unit(random), unit(random)); };
@@ -161,6 +193,10 @@ ir::PixelInputs random_pixel(std::mt19937_64& random) {
     pixel.dpdx = vec3(0.02);
     pixel.dpdy = vec3(0.02);
     pixel.facing = unit(random) < 0.0 ? -1.0 : 1.0;
+    pixel.dndx = vec3(0.02);
+    pixel.dndy = vec3(0.02);
+    pixel.object_origin = vec3(5.0);
+    pixel.camera = {unit(random) < 0.0, vec3(5.0), glm::normalize(vec3(1.0)), screen(random)};
     return pixel;
 }
 

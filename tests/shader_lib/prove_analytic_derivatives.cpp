@@ -147,7 +147,8 @@ std::vector<Case> frame_cases() {
          .bound = {.absolute = kBound.absolute + 14 * kUlp},  // and a projection
          .condition = slant,
          .property = whole_frame,
-         .mutants = {{kFile, "sg_facing_normal(facing * n, view)", "sg_facing_normal(n, view)"}}},
+         .mutants = {{kFile, "sg_facing_normal(facing * n, view)", "sg_facing_normal(n, view)"},
+                     {kFile, "cross(n, d.dpdx)) < 0.0", "cross(plane, d.dpdx)) < 0.0"}}},
     };
 }
 

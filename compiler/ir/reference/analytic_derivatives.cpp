@@ -45,9 +45,7 @@ ScreenDerivatives analytic_derivatives(dvec3 position, dvec3 n, const dmat4& rel
 Frame frame_rebuilt(dvec3 position, dvec3 n, double facing, dvec3 view, const dmat4& relative_from_screen) {
     const dvec3 plane = facing_normal(facing * n, view);
     const ScreenDerivatives d = analytic_derivatives(position, plane, relative_from_screen);
-    Frame out = frame(position, d.dpdx, d.dpdy, n);
-    out.flip_sign = facing * frame(position, d.dpdx, d.dpdy, plane).flip_sign;
-    return out;
+    return frame(position, d.dpdx, d.dpdy, n);
 }
 
 }  // namespace sg::ref

@@ -39,13 +39,19 @@ double parallax_height(const TextureSource& map, const Sampler& sampler, dvec2 h
 
 March parallax_march(const TextureSource& map, const Sampler& sampler, dvec2 heights, dvec2 st, dvec3 view,
                      double level, int steps) {
+    return parallax_march([&](dvec2 at) { return sample_lod(map, sampler, at, level).x; }, heights, st, view,
+                          steps);
+}
+
+March parallax_march(const std::function<double(dvec2)>& texel, dvec2 heights, dvec2 st, dvec3 view,
+                     int steps) {
     const dvec2 run = dvec2(view) / std::max(view.z, 1.0 / 32.0);
     const double top = heights.y + std::max(heights.x, 0.0), bottom = heights.y + std::min(heights.x, 0.0);
     March march{{}, INFINITY, 1.0};
     double previous = 0.0;
     for (int i = 0; i <= steps; ++i) {
         const double ray = top + (bottom - top) * i / steps;
-        const double gap = ray - parallax_height(map, sampler, heights, st + ray * run, level);
+        const double gap = ray - (heights.x * texel(st + ray * run) + heights.y);
         march.closest = std::min(march.closest, std::abs(gap));
         march.hit = {ray * run, ray};
         if (gap <= 0.0) {

@@ -1,6 +1,8 @@
 // Parallax in double precision: where on a displaced surface the eye looks.
 #pragma once
 
+#include <functional>
+
 #include "ir/reference/frame.hpp"
 #include "ir/reference/texture.hpp"
 #include "ir/reference/uv.hpp"
@@ -29,6 +31,9 @@ struct March {
 };
 March parallax_march(const TextureSource& map, const Sampler& sampler, dvec2 heights, dvec2 st, dvec3 view,
                      double level, int steps);
+// The same over anything that gives texels: 0 to 1 at a coordinate.
+March parallax_march(const std::function<double(dvec2)>& texel, dvec2 heights, dvec2 st, dvec3 view,
+                     int steps);
 dvec2 parallax_pixels(const Uv& uv, dvec2 offset);
 dvec3 parallax_position(const Frame& frame, dvec2 pixels, double height);
 dvec3 parallax_normal(dvec3 n, dvec3 dndx, dvec3 dndy, dvec2 pixels);

@@ -2,6 +2,7 @@
 
 #include "ir/ir.hpp"
 #include "ir/text.hpp"
+#include "tests/support/golden.hpp"
 
 namespace sg::ir {
 namespace {
@@ -104,6 +105,41 @@ TEST(Ir, VerifierRefusesIllegalMixes) {
     EXPECT_EQ(verify(parsed(kHead)), "");
     for (const FaultCase& c : cases)
         EXPECT_EQ(verify(parsed(std::string(kHead) + std::string(c.text))), c.fault);
+}
+
+// Neighbouring pixels see other places: nothing behind parallax may be differenced over the screen.
+TEST(Ir, VerifierRefusesScreenDerivativesBehindParallax) {
+    constexpr std::string_view kHead =
+        "texture 0 \"t\" height\n%0 = position : Position\n%1 = vertex_normal : VertexNormal\n"
+        "%2 = base_normal %1 : Normal\n%3 = frame %0 %2 : Frame\n%4 = uv_set 0 : Uv\n%5 = view %0 : View\n"
+        "%6 = parallax_direction %3 %4 %5 : TextureView\n%7 = constant 0.1 -0.1 : Vec2\n"
+        "%8 = constant 16 : Scalar\n%9 = parallax_occlusion 0 %4 %6 %7 %8 : Hit\n";
+    const std::string behind = " takes screen derivatives behind parallax ('parallax_occlusion', %9)\n";
+    EXPECT_EQ(verify(parsed(kHead)), "");
+    EXPECT_EQ(verify(parsed(std::string(kHead) + "%10 = uv_set 1 : Uv")), "%10: 'uv_set'" + behind);
+    EXPECT_EQ(verify(parsed(std::string(kHead) + "%10 = volume_world : Volume")),
+              "%10: 'volume_world'" + behind);
+    EXPECT_EQ(verify(parsed(std::string(kHead) + "%10 = normal_derivatives %1 : NormalDerivatives")),
+              "%10: 'normal_derivatives'" + behind);
+    EXPECT_EQ(verify(parsed(std::string(kHead) +
+                            "%10 = hit_offset %9 : Offset\n%11 = hit_height %9 : Scalar\n"
+                            "%12 = parallax_pixels %4 %10 : Pixels\n"
+                            "%13 = parallax_position %3 %12 %11 : Position\n%14 = frame %13 %2 : Frame")),
+              "%14: 'frame'" + behind);
+}
+
+// The flag of an operation is what its GLSL does.
+TEST(Ir, ScreenDerivativesAreTakenWhereTheFlagSaysSo) {
+    const std::string stage = test::read_file(test::source_dir() / "shader_lib/stage/fragment.glsl");
+    for (const OpInfo& op : all_ops()) {
+        bool takes = false;
+        if (op.include == "stage/fragment.glsl") {
+            const std::size_t begin = stage.find(op.glsl.substr(0, op.glsl.find('(') + 1));
+            ASSERT_NE(begin, stage.npos) << op.name;
+            takes = stage.substr(begin, stage.find('}', begin) - begin).find("dFd") != stage.npos;
+        }
+        EXPECT_EQ(takes_screen_derivatives(op.op), takes) << op.name;
+    }
 }
 
 TEST(Ir, EveryRowIsWhole) {
