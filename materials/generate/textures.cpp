@@ -11,7 +11,7 @@
 namespace sg::samples {
 namespace {
 
-constexpr std::array<TextureRecipe, 15> kRecipes{{
+constexpr std::array<TextureRecipe, 16> kRecipes{{
     {"brick_normal.png", 256, brick_height, false, true, 127.5},
     {"scratch_normal_xy.png", 256, scratch_height, true, false, 127.5},
     {"weave_normal.png", 128, weave_height, false, false, 128.0},
