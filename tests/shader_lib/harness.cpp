@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 #include "base/diag.hpp"
@@ -94,6 +95,7 @@ std::string listed(std::span<const float> floats) {
 
 // The bound at one input, or the reason why the results break the case's property.
 struct Verdict {
+    double sensitivity = std::numeric_limits<double>::infinity();
     double ratio = 0.0;
     double error = 0.0;
     std::string reason;
@@ -114,6 +116,8 @@ Verdict judge(const Case& item, const In& in, std::span<const float> out, std::v
         const double ratio = error <= allowed ? (error > 0.0 ? error / allowed : 0.0)
                                               : (error > allowed ? error / allowed : INFINITY);
         verdict.error = std::max(verdict.error, error);
+        if (expected[k] != 0.0)
+            verdict.sensitivity = std::min(verdict.sensitivity, allowed / std::abs(expected[k]));
         if (!(ratio > verdict.ratio)) continue;
         verdict.ratio = ratio;
         if (ratio > 1.0) {
@@ -189,6 +193,7 @@ Worst compare(const Case& item, std::span<const float> inputs, std::span<const f
         Verdict verdict = judge(item, In(in), out, expected);
         worst.ratio = std::max(worst.ratio, verdict.ratio);
         worst.error = std::max(worst.error, verdict.error);
+        worst.sensitivity = std::min(worst.sensitivity, verdict.sensitivity);
         if (!verdict.reason.empty() && worst.violation.empty()) {
             worst.violation =
                 fmt::format("{}\n  input {{{}}}\n  output {{{}}}", verdict.reason, listed(in), listed(out));
@@ -237,12 +242,17 @@ bool add_cases(std::function<std::vector<Case>()> cases) {
     return true;
 }
 
-const Case* find_case(const std::string& name) {
+const std::vector<Case>& all_cases() {
     static const std::vector<Case> all = [] {
         std::vector<Case> out;
         for (const auto& list : case_lists()) out = joined(std::move(out), list());
         return out;
     }();
+    return all;
+}
+
+const Case* find_case(const std::string& name) {
+    const std::vector<Case>& all = all_cases();
     auto found = std::find_if(all.begin(), all.end(), [&](const Case& item) { return item.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
@@ -266,8 +276,11 @@ TEST_P(AgainstDouble, Holds) {
     std::vector<float> inputs = draw_inputs(item, item.count);
     Worst worst = compare(item, inputs, evaluate(item, inputs));
     EXPECT_EQ(worst.violation, "") << "SG_SEED=" << run_seed();
-    std::cout << fmt::format("  {:<40} largest error {:.2e}, {:.0f} % of what is allowed\n", item.name,
-                             worst.error, 100.0 * worst.ratio);
+    if (item.blunt.empty() && std::isfinite(worst.sensitivity)) {
+        EXPECT_LE(worst.sensitivity, kNoticed) << "the bound hides formulas that are off by that";
+    }
+    std::cout << fmt::format("  {:<40} largest error {:.2e}, {:.0f} % of what is allowed; notices {:.1e}\n",
+                             item.name, worst.error, 100.0 * worst.ratio, worst.sensitivity);
 }
 
 TEST_P(Mutants, AreNoticed) {

@@ -26,6 +26,7 @@ namespace sg::proof {
 // with Vulkan's looser division and square root fits too.
 inline constexpr double kUlp = 1.0 / (1 << 24);
 inline constexpr std::size_t kCount = 100000;       // inputs per case
+inline constexpr double kNoticed = 1e-5;            // a relative error that no bound hides
 inline constexpr std::size_t kMutantCount = 10000;  // inputs until a mutant must have been noticed
 
 // One input: the very floats that the shader read, as doubles.
@@ -74,6 +75,8 @@ struct CaseTexture {
 
 struct Case {
     std::string name = {};
+    // Why a formula that is off by kNoticed of its result may pass. Empty: it may not.
+    std::string blunt = {};
     std::string include = {};  // library file; several: separated by a blank
     int inputs = 0;            // floats per input
     int outputs = 0;           // floats per output
@@ -106,6 +109,8 @@ struct Worst {
     double ratio = 0.0;     // error / allowed; above 1 fails; infinite for NaN
     double error = 0.0;     // the largest absolute error
     std::string violation;  // the first input that failed, in full
+    // The smallest relative error of a result that its bound shows somewhere; infinite where all should be 0.
+    double sensitivity = std::numeric_limits<double>::infinity();
 };
 Worst compare(const Case& item, std::span<const float> inputs, std::span<const float> outputs);
 std::vector<float> draw_inputs(const Case& item, std::size_t count);
@@ -130,6 +135,7 @@ std::string mutant_name(const testing::TestParamInfo<MutantOf>& info);
 
 // Every case that SG_PROVE registered can be found by its name; null if there is none.
 bool add_cases(std::function<std::vector<Case>()> cases);
+const std::vector<Case>& all_cases();
 const Case* find_case(const std::string& name);
 
 // What a failing test prints of its parameter.

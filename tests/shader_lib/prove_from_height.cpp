@@ -66,6 +66,7 @@ std::vector<Case> invariant_cases() {
         "turned",
         "sg_surfgrad_from_height(frame, sg_uv_transform(uv, vec2(1.0), 1.0, vec2(0.0)), vec2(1.0), "
         "mat2(cos(1.0), sin(1.0), -sin(1.0), cos(1.0)) * (dim * d))");
+    turned.blunt = "a turn and its opposite are in the bound; surfgrad_from_height has the formula alone";
     turned.bound.absolute += 40 * kUlp;  // the turn, there and back (prove_uv.cpp)
     // |a| + |b| may grow by sqrt(2) under a turn, and products of either component with both steps now count.
     turned.condition = [](const In& in) {

@@ -52,6 +52,7 @@ std::vector<Case> cases() {
          .condition = [](const In& in) { return 4.0 * glm::length(in.v3(3)); },
          .mutants = {{kFile, "SG_MAX_VOLUME_GRADIENT = 16384.0", "SG_MAX_VOLUME_GRADIENT = 500.0"}}},
         {.name = "surfgrad_from_volume_along_n",
+         .blunt = "what is left of a gradient along n is rounding alone",
          .include = std::string(kFile) + " surfgrad/resolve.glsl",
          .inputs = 4,
          .outputs = 3,

@@ -22,6 +22,7 @@ vec3 half_of(vec3 v) { return vec3(half_of(v.xy), half_of(v.zz).x); }
 std::vector<Case> cases() {
     return {
         {.name = "half_deriv",
+         .blunt = "stored in 16 bits",
          .include = "surfgrad/deriv.glsl surfgrad/tbn.glsl surfgrad/resolve.glsl",
          .inputs = 3,
          .outputs = 3,
@@ -38,6 +39,7 @@ std::vector<Case> cases() {
          .property = unit,
          .declarations = kHalf},
         {.name = "half_gradient_from_normal",
+         .blunt = "stored in 16 bits",
          .include = "surfgrad/from_normal.glsl surfgrad/resolve.glsl",
          .inputs = 6,
          .outputs = 3,

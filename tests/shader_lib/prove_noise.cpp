@@ -66,7 +66,8 @@ Case octaves(const char* name, const char* function) {
             .draw = draw_octaves,
             // The gradients add, so do their errors; the filter's curve and its product round 4 times, times
             // |gradient| < 4.
-            .bound = {.absolute = kOctaves * (kGradientRoundings + 4 * 4) * kUlp},
+            .bound = {.absolute = (kGradientRoundings + 4 * 4) * kUlp},
+            .condition = [](const In& in) { return std::max(1.0, in[4]); },
             .property = vanishes};
 }
 
@@ -91,7 +92,7 @@ Case turbulence() {
     // Where an octave's sign is lost in rounding, either side of the corner is right: nothing is asserted but
     // finite.
     item.condition = [](const In& in) {
-        return on_a_corner(in.v3(0), in[3], static_cast<int>(in[4])) ? INFINITY : 1.0;
+        return on_a_corner(in.v3(0), in[3], static_cast<int>(in[4])) ? INFINITY : std::max(1.0, in[4]);
     };
     item.mutants = {{kFile, "sign(octave.value) * octave.gradient", "octave.gradient"},
                     {kFile, "weight / frequency * abs(octave.value)", "weight / frequency * octave.value"},

@@ -65,6 +65,7 @@ void flatten(Draw& in) {
 // There and back: a step in the tangent plane, to texture space, to pixels, to the surface.
 Case round_trip() {
     return {.name = "parallax_round_trip",
+            .blunt = "there and back: the cases of the two ways have the formulas alone",
             .include = kFile,
             .inputs = 18,
             .outputs = 3,

@@ -28,36 +28,42 @@ const std::shared_ptr<const CaseTexture>& hills(bool levels) {
 
 // Inputs: 0 st, 2 stride, 4 steps, 5 dx, 7 dy.
 Case steps() {
-    return {.name = "parallax_steps",
-            .include = kFile,
-            .inputs = 9,
-            .outputs = 2,
-            .glsl =
-                "put(0, sg_parallax_steps(image_0, sampler_0, vec2(2.0, -1.0), SgUv(v2(0), v2(5), v2(7)), "
-                "v2(2), int(f(4))));",
-            .draw =
-                [](Random& random, Draw& in) {
-                    in.put(0, glm::dvec2(random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)));
-                    in.put(2, random.direction2() * random.magnitude(1e-4, 0.03));
-                    in.put(4, random.below(7));
-                    in.put(5, random.direction2() * random.magnitude(1e-5, 1e-2));
-                    in.put(7, random.direction2() * random.magnitude(1e-5, 1e-2));
-                },
-            .reference =
-                [](const In& in, Expect& out) {
-                    const CaseTexture& map = *hills(false);
-                    out.put(0, ref::parallax_steps(map.image, map.sampler, {2.0, -1.0},
-                                                   {in.v2(0), in.v2(5), in.v2(7)}, in.v2(2),
-                                                   static_cast<int>(in[4])));
-                },
-            // A read: the place is off by 3 roundings of 61 texels, times a slope of 0.4 of the decoded
-            // value, and 8 of the filter; six of them, times a stride below 0.03, and doubled. An error of
-            // place grows by 0.03 * 61 * 0.4 a step.
-            .bound = {.absolute = 2 * 6 * 0.03 * (3 * 61 * 0.4 + 8) * 3.0 * kUlp},
-            .mutants = {{kFile, "uv.st + offset, uv.dx, uv.dy).x", "uv.st, uv.dx, uv.dy).x"},
-                        {kFile, "(decode.x * texel + decode.y) * stride", "decode.x * texel * stride"},
-                        {kFile, "offset += (decode.x", "offset -= (decode.x"}},
-            .textures = {hills(false)}};
+    return {
+        .name = "parallax_steps",
+        .include = kFile,
+        .inputs = 9,
+        .outputs = 2,
+        .glsl =
+            "put(0, sg_parallax_steps(image_0, sampler_0, vec2(2.0, -1.0), SgUv(v2(0), v2(5), v2(7)), "
+            "v2(2), int(f(4))));",
+        .draw =
+            [](Random& random, Draw& in) {
+                in.put(0, glm::dvec2(random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)));
+                in.put(2, random.direction2() * random.magnitude(1e-4, 0.03));
+                in.put(4, random.below(7));
+                in.put(5, random.direction2() * random.magnitude(1e-5, 1e-2));
+                in.put(7, random.direction2() * random.magnitude(1e-5, 1e-2));
+            },
+        .reference =
+            [](const In& in, Expect& out) {
+                const CaseTexture& map = *hills(false);
+                out.put(0, ref::parallax_steps(map.image, map.sampler, {2.0, -1.0},
+                                               {in.v2(0), in.v2(5), in.v2(7)}, in.v2(2),
+                                               static_cast<int>(in[4])));
+            },
+        // A read: the place is off by 3 roundings of 61 texels, times a slope of 0.4 of the decoded
+        // value, and 8 of the filter; every step, times the stride, and doubled. An error of place grows
+        // by stride * 61 * 0.4 a step.
+        .bound = {.absolute = 2 * kUlp},
+        .condition =
+            [](const In& in) {
+                const double stride = glm::length(in.v2(2)), reach = std::max(in[0], in[1]) + in[4] * stride;
+                return in[4] * stride * (3 * 61 * 0.4 * reach + 8) * std::pow(1.0 + 61 * 0.4 * stride, in[4]);
+            },
+        .mutants = {{kFile, "uv.st + offset, uv.dx, uv.dy).x", "uv.st, uv.dx, uv.dy).x"},
+                    {kFile, "(decode.x * texel + decode.y) * stride", "decode.x * texel * stride"},
+                    {kFile, "offset += (decode.x", "offset -= (decode.x"}},
+        .textures = {hills(false)}};
 }
 
 // Inputs: 0 st, 2 view, 5 level, 6 heights, 8 steps.
@@ -100,6 +106,7 @@ double march_condition(const In& in) {
 
 Case occlusion() {
     return {.name = "parallax_occlusion",
+            .blunt = "a place is off by roundings of 61 texels; parallax_ramp has the formula alone",
             .include = kFile,
             .inputs = 9,
             .outputs = 3,
@@ -208,8 +215,56 @@ Case ramp() {
         .textures = {texture}};
 }
 
+// The same with a mip chain, at footprints of 1 to 16 texels along one axis.
+Case steps_at_levels(bool whole) {
+    Case item = steps();
+    item.name = whole ? "parallax_steps_at_whole_levels" : "parallax_steps_between_levels";
+    item.draw = [whole, draw = item.draw](Random& random, Draw& in) {
+        draw(random, in);
+        const double texels = whole ? 1 << random.below(5) : random.magnitude(1.0, 16.0);
+        in.put(5, glm::dvec2(texels / kSize.x, 0.0)), in.put(7, glm::dvec2(0.0, 0.5 * texels / kSize.y));
+    };
+    item.reference = [](const In& in, Expect& out) {
+        const CaseTexture& map = *hills(true);
+        out.put(0, ref::parallax_steps(map.image, map.sampler, {2.0, -1.0}, {in.v2(0), in.v2(5), in.v2(7)},
+                                       in.v2(2), static_cast<int>(in[4])));
+    };
+    // Whole levels: as above, and a rounded footprint is off the level by 1e-6, between levels that differ by
+    // at most 2. Between them the driver's level is off by up to 0.05.
+    item.bound.absolute += (whole ? 1e-6 : 0.05) * 2.0 / 8.0;  // the condition is above 8 strides
+    if (!whole) item.blunt = "the driver's level of detail is approximate; whole levels are exact";
+    item.textures = {hills(true)};
+    item.mutants = {{kFile, "uv.st + offset, uv.dx, uv.dy).x", "uv.st + offset, vec2(0.0), vec2(0.0)).x"}};
+    return item;
+}
+
+// Inputs: 0 st, 2 heights, 4 level.
+Case height() {
+    return {.name = "parallax_height",
+            .include = kFile,
+            .inputs = 5,
+            .outputs = 1,
+            .glsl = "put(0, sg_parallax_height(image_0, sampler_0, v2(2), v2(0), f(4)));",
+            .draw =
+                [](Random& random, Draw& in) {
+                    in.put(0, glm::dvec2(random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)));
+                    in.put(2, glm::dvec2(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)));
+                    in.put(4, random.uniform(-1.0, 6.0));
+                },
+            .reference =
+                [](const In& in, Expect& out) {
+                    const CaseTexture& map = *hills(true);
+                    out.put(0, ref::parallax_height(map.image, map.sampler, in.v2(2), in.v2(0), in[4]));
+                },
+            // A place off by 3 roundings of 61 texels, times a slope of 0.2, and 8 of the filter; a product
+            // and a sum (2); all of heights below 0.6; doubled.
+            .bound = {.absolute = 2 * 0.6 * (3 * 61 * 0.2 + 10) * kUlp},
+            .textures = {hills(true)}};
+}
+
 std::vector<Case> cases() {
-    return {steps(), occlusion(), on_the_ray(), ramp()};
+    return {height(),     steps(), steps_at_levels(true), steps_at_levels(false), occlusion(),
+            on_the_ray(), ramp()};
 }
 
 SG_PROVE(ParallaxMarch, cases());

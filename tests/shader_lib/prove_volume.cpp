@@ -77,14 +77,17 @@ Case scale() {
 }
 
 Case noise(const char* name, const char* call, int octave_count) {
-    return {.name = name,
-            .include = kFile,
-            .inputs = 10,
-            .outputs = 4,
-            .glsl = fmt::format("SgNoise n = {}; put(0, n.value); put(1, n.gradient);",
-                                fmt::format(fmt::runtime(call), kVolume)),
-            .draw = draw_noise,
-            .bound = {.absolute = octave_count * kOctaveRoundings * kUlp}};
+    return {
+        .name = name,
+        .blunt =
+            "the footprint's rounding is in the bound; the functions of noise.glsl have the formulas alone",
+        .include = kFile,
+        .inputs = 10,
+        .outputs = 4,
+        .glsl = fmt::format("SgNoise n = {}; put(0, n.value); put(1, n.gradient);",
+                            fmt::format(fmt::runtime(call), kVolume)),
+        .draw = draw_noise,
+        .bound = {.absolute = octave_count * kOctaveRoundings * kUlp}};
 }
 
 Case perlin() {

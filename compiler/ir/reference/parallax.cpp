@@ -27,7 +27,7 @@ dvec2 parallax_steps(const TextureSource& map, const Sampler& sampler, dvec2 dec
                      dvec2 stride, int steps) {
     dvec2 offset(0.0);
     for (int i = 0; i < steps; ++i) {
-        offset += stride * (decode.y + decode.x * sample_bilinear(map, sampler, uv.st + offset, 0).x);
+        offset += stride * (decode.y + decode.x * sample_grad(map, sampler, uv.st + offset, uv.dx, uv.dy).x);
     }
     return offset;
 }

@@ -17,7 +17,6 @@ struct Parallax {
 dvec3 parallax_direction(const Frame& frame, const Uv& uv, dvec3 direction);
 dvec2 parallax_offset(dvec3 view, double height);
 dvec2 parallax_scale(double scale, int steps, dvec2 dim);
-// The map has one level.
 dvec2 parallax_steps(const TextureSource& map, const Sampler& sampler, dvec2 decode, const Uv& uv,
                      dvec2 stride, int steps);
 double parallax_height(const TextureSource& map, const Sampler& sampler, dvec2 heights, dvec2 st,
