@@ -19,6 +19,7 @@ constexpr const char* kTwoNormals = "it blends two normals, which is no sum of h
 const std::vector<HeightRow>& rows() {
     static const std::vector<HeightRow> kRows = {
         {Op::sample, HeightRule::partner},
+        {Op::swizzle, HeightRule::pass},
         {Op::decode_normal_xyz, HeightRule::pass},
         {Op::decode_normal_xy, HeightRule::pass},
         {Op::decode_object_normal, HeightRule::pass},

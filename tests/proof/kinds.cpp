@@ -13,7 +13,7 @@ using ref::dvec4;
 using runtime::SmoothShape;
 
 constexpr double kTau = 6.283185307179586;
-constexpr double kSide = 1 << 18;  // texels of a FunctionTexture
+constexpr double kSide = kFunctionSide;
 
 // ---- what the textures hold ----
 
@@ -242,15 +242,22 @@ const std::vector<KindCase>& all_kind_cases() {
     return kCases;
 }
 
-Subject made_subject(const KindCase& c) {
-    const std::string json =
-        c.material + R"(, "parameters": {"h": {"type": "float", "default": 1, "range": [-1, 1]}}})";
-    std::map<std::string, Texel> textures = c.textures;
-    if (c.decal) {
-        Subject plain(json);
-        textures["map"] = decal_texture(projector_of(plain), c.name == "decal_sphere");
-    }
-    Subject out(json, textures);
+namespace {
+
+std::string plain_json(const KindCase& c) {
+    return c.material + R"(, "parameters": {"h": {"type": "float", "default": 1, "range": [-1, 1]}}})";
+}
+
+}  // namespace
+
+std::map<std::string, Texel> textures_of(const KindCase& c) {
+    if (!c.decal) return c.textures;
+    Subject plain(plain_json(c));
+    return {{"map", decal_texture(projector_of(plain), c.name == "decal_sphere")}};
+}
+
+Subject made_subject(const KindCase& c, const std::string& json) {
+    Subject out(json.empty() ? plain_json(c) : json, textures_of(c));
     for (const auto& [name, length] : c.partners) out.give_partner(name, test_height, length);
     return out;
 }

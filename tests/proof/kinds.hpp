@@ -17,6 +17,8 @@ struct KindCase {
     bool decal = false;                      // its texture needs the projector (see made_subject)
 };
 const std::vector<KindCase>& all_kind_cases();
+// Texels per side of a FunctionTexture.
+inline constexpr double kFunctionSide = 1 << 18;
 inline std::ostream& operator<<(std::ostream& out, const KindCase& c) {
     return out << c.name;
 }
@@ -24,6 +26,9 @@ inline std::ostream& operator<<(std::ostream& out, const KindCase& c) {
 // The height that all textures stand for, period 1: world units per "$h".
 double test_height(ref::dvec2 c);
 
-Subject made_subject(const KindCase& c);
+// What its textures hold, by name.
+std::map<std::string, Texel> textures_of(const KindCase& c);
+// json: the material, where it is not the case's own with the strength 1.
+Subject made_subject(const KindCase& c, const std::string& json = "");
 
 }  // namespace sg::proof

@@ -41,8 +41,11 @@ void Subject::give_partner(const std::string& texture, std::function<double(ref:
 }
 
 Truth Subject::truth(runtime::SmoothShape shape, const glm::dmat4& world_from_object) {
-    Sight sight{shape, world_from_object, glance_camera().position, glance_matrices().relative_from_screen,
-                0};
+    return truth(
+        Sight{shape, world_from_object, glance_camera().position, glance_matrices().relative_from_screen, 0});
+}
+
+Truth Subject::truth(const Sight& sight) const {
     return Truth(material_->module, material_->bindings, partners_, sight);
 }
 

@@ -40,6 +40,7 @@ public:
     // The truth for a view of a shape; uses the bindings as they are now.
     [[nodiscard]] Truth truth(runtime::SmoothShape shape,
                               const glm::dmat4& world_from_object = glm::dmat4(1));
+    [[nodiscard]] Truth truth(const Sight& sight) const;
     // The interpreter's normal for exact inputs.
     [[nodiscard]] glm::dvec3 shaded(const ir::PixelInputs& inputs);
 

@@ -1,0 +1,344 @@
+// Real and exact assets of the shared test data, drawn and measured. Skipped where the data is not here.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+#include "runtime/mesh/shapes.hpp"
+#include "runtime/proof/angles.hpp"
+#include "tests/render/workshop.hpp"
+
+namespace sg::proof {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double kTau = 6.283185307179586;
+constexpr std::uint32_t kPixels = 160;
+const std::string kData = SG_SOURCE_DIR "/../shared/data/";
+
+bool here(const std::string& file) {
+    RealFiles files;
+    return files.exists(kData + file);
+}
+std::string bytes_of(const std::string& file) {
+    RealFiles files;
+    return files.read(kData + file).bytes;
+}
+#define SG_NEEDS(file) \
+    if (!here(file)) GTEST_SKIP() << "the shared test data is not here: " << kData << (file)
+
+// A material of one layer with one picture.
+truth::Made one_layer(const std::string& file, const std::string& texture, const std::string& layer,
+                      const std::string& more = "") {
+    truth::Recipe recipe;
+    recipe.json = R"({"version": 1, "textures": {"map": {"file": "map.)" + file.substr(file.rfind('.') + 1) +
+                  "\", " + texture + R"(}}, "bump": [{"layers": [{"texture": "map", )" + layer + "}]}]" +
+                  more + "}";
+    recipe.files["map." + file.substr(file.rfind('.') + 1)] = bytes_of(file);
+    recipe.entries = {"normal", "debug"};
+    return truth::make(recipe);
+}
+
+runtime::Scene file_scene(const std::string& file) {
+    RealFiles files;
+    Diags diags;
+    runtime::Scene out;
+    auto content = asset::read_gltf(files, kData + file, diags);
+    if (!content) throw std::runtime_error(render(diags));
+    out.content = std::move(*content);
+    out.camera = runtime::default_camera(runtime::bounds_of(out.content), 1);
+    return out;
+}
+
+// ---- heights and slopes in closed form ----
+
+// h = 0.5 + the sum of a cos(2 pi (m u + n v) + phase), v downwards.
+struct Formula {
+    struct Term {
+        double a, m, n, phase;
+    };
+    std::vector<Term> terms;
+    double scale = 0;
+    [[nodiscard]] dvec2 gradient(dvec2 uv) const {
+        dvec2 out(0);
+        for (const Term& t : terms)
+            out -= t.a * std::sin(kTau * (t.m * uv.x + t.n * uv.y) + t.phase) * kTau * dvec2(t.m, t.n);
+        return out;
+    }
+    // The largest share of a slope that derivatives of filtered texels lose: 1/6 (difference over two texels)
+    // + 1/4 (the lines beside it) + 1/8 (between derivatives) of the square of the angle that a texel spans,
+    // per axis.
+    [[nodiscard]] double lost(double side) const {
+        double most = 0;
+        for (const Term& t : terms) most = std::max({most, std::abs(t.m), std::abs(t.n)});
+        return (1.0 / 6 + 1.0 / 4 + 1.0 / 8) * std::pow(kTau * most / side, 2);
+    }
+};
+Formula formula_of(const std::string& file, const char* terms) {
+    const auto json = nlohmann::json::parse(bytes_of(file));
+    Formula out;
+    for (const auto& t : json.at(terms))
+        out.terms.push_back({t.at("a"), t.at("m"), t.at("n"), t.at("phase")});
+    out.scale = json.at("displacement_scale_s");
+    return out;
+}
+
+struct Case {
+    std::string folder;
+    double side;
+};
+const Case kPairs[] = {{"made/height-normal/waves_256/", 256}, {"made/height-normal/steep_128/", 128}};
+
+// The exact pairs on a plane of side 2, which is twice their square: heights count twice, slopes are the
+// same.
+TEST(ExactPairs, HeightsGiveTheNormalsThatWereBakedFromThem) {
+    SG_NEEDS("made/height-normal/waves_256/params.json");
+    runtime::Scene scene;
+    scene.content.meshes.push_back(runtime::make_plane(4, false));
+    scene.content.instances.push_back({"", 0, glm::mat4(1)});
+    scene.camera.position = {0, 0, 3};
+    scene.camera.ortho_height = 1.0;  // magnified: a quarter of the tile
+    for (const Case& pair : kPairs) {
+        const Formula formula = formula_of(pair.folder + "params.json", "terms");
+        const truth::Made height =
+            one_layer(pair.folder + "height16.png", R"("encoding": "height")",
+                      fmt::format(R"("kind": "height_map", "strength": {})", 2 * formula.scale));
+        const truth::Made map = one_layer(pair.folder + "normal_gl16.png", R"("encoding": "tangent_normal")",
+                                          R"("kind": "normal_map")");
+        auto draw = [&](const truth::Made& made, const char* view) {
+            return truth::draw(made, scene, view, kPixels, kPixels);
+        };
+        const runtime::Picture from_height = draw(height, "normal"), from_map = draw(map, "normal"),
+                               uv = draw(map, "uv0");
+        std::vector<double> height_error, map_error;
+        double steepest = 0;
+        for (std::uint32_t y = 0; y < kPixels; ++y) {
+            for (std::uint32_t x = 0; x < kPixels; ++x) {
+                const dvec2 slope = formula.scale * formula.gradient(dvec2(truth::rgb(uv, x, y)));
+                const dvec3 exact(-slope.x, slope.y, 1);
+                steepest = std::max(steepest, glm::length(slope));
+                height_error.push_back(angle_degrees(truth::rgb(from_height, x, y), exact));
+                map_error.push_back(angle_degrees(truth::rgb(from_map, x, y), exact));
+            }
+        }
+        // 16 bits: half a step on both sides of a difference over two texels; the map's step, times 1 +
+        // slope^2.
+        const double quantum = formula.scale * pair.side / 65535 / 2;
+        const double bound = (steepest * formula.lost(pair.side) + 2 * quantum) * 57.3;
+        const double map_bound =
+            (1 + steepest * steepest) * (steepest * formula.lost(pair.side) + 3.0 / 65535) * 57.3;
+        const Numbers h = numbers_of(height_error), m = numbers_of(map_error),
+                      both = numbers_of(angles_between(from_height, from_map).degrees);
+        fmt::print("{}: heights {} (bound {:.3f})\n  map {} (bound {:.3f})\n  apart {}\n", pair.folder,
+                   text_of(h), bound, text_of(m), map_bound, text_of(both));
+        EXPECT_LT(h.p99, bound);
+        EXPECT_LT(m.p99, map_bound);
+        EXPECT_LT(both.p99, bound + map_bound);
+        // A mutant: green turned.
+        const truth::Made turned = one_layer(pair.folder + "normal_dx8.png",
+                                             R"("encoding": "tangent_normal")", R"("kind": "normal_map")");
+        EXPECT_GT(numbers_of(angles_between(from_height, draw(turned, "normal")).degrees).median,
+                  10 * both.p99);
+    }
+}
+
+// The exact torus: its object-space map, its tangent-space map and its heights against their formula.
+TEST(ExactTorus, ThreeMapsOneSurface) {
+    const std::string folder = "made/object-space/";
+    SG_NEEDS(folder + "torus.json");
+    const Formula formula = formula_of(folder + "torus.json", "h_terms");
+    runtime::Scene scene = file_scene(folder + "torus.glb");
+    struct Map {
+        const char *file, *texture, *layer;
+    };
+    const Map maps[] = {
+        {"torus_object_normal16.png", R"("encoding": "object_normal")", R"("kind": "object_normal_map")"},
+        {"torus_tangent_normal8.png", R"("encoding": "tangent_normal")", R"("kind": "normal_map")"},
+        {"torus_height16.png", R"("encoding": "height")", R"("kind": "height_map", "strength": 0.03)"}};
+    // The mesh has facets and a pixel covers several texels: what is asserted is that most of each tilt is
+    // there, in its direction; a missing bump would be off by the whole tilt, a wrong sign by twice that.
+    for (const Map& map : maps) {
+        const truth::Made made = one_layer(folder + map.file, map.texture, map.layer);
+        const runtime::Picture normals = truth::draw(made, scene, "normal", kPixels, kPixels),
+                               uv = truth::draw(made, scene, "uv0", kPixels, kPixels);
+        std::vector<double> errors, bare;
+        for (std::uint32_t y = 0; y < kPixels; ++y) {
+            for (std::uint32_t x = 0; x < kPixels; ++x) {
+                if (!truth::covered(normals, x, y)) continue;
+                const dvec2 st(truth::rgb(uv, x, y));
+                const double a = kTau * st.x, b = kTau * (1 - st.y), ring = 1 + 0.4 * std::cos(b);
+                const dvec3 n(std::cos(b) * std::cos(a), std::sin(b), -std::cos(b) * std::sin(a));
+                const dvec3 along_u = dvec3(-std::sin(a), 0, -std::cos(a)) / (kTau * ring);
+                const dvec3 along_v =
+                    dvec3(std::sin(b) * std::cos(a), -std::cos(b), -std::sin(b) * std::sin(a)) / (kTau * 0.4);
+                const dvec2 slope = formula.scale * formula.gradient(st);
+                const dvec3 exact = n - slope.x * along_u - slope.y * along_v;
+                errors.push_back(angle_degrees(truth::rgb(normals, x, y), exact));
+                bare.push_back(angle_degrees(n, exact));
+            }
+        }
+        const Numbers found = numbers_of(errors), tilt = numbers_of(bare);
+        fmt::print("{}: {}, tilt {}\n", map.file, text_of(found), text_of(tilt));
+        EXPECT_GT(found.count, 3000u);
+        EXPECT_GT(tilt.median, 5 * found.median);
+    }
+}
+
+// A bottle whose tangent-space map was baked into object space: both must shade alike.
+TEST(WaterBottle, ObjectAndTangentSpaceAgree) {
+    SG_NEEDS("object-space/WaterBottle_object_normal.png");
+    const runtime::Scene scene = file_scene("gltf/khronos/WaterBottle/WaterBottle.gltf");
+    const truth::Made tangent =
+        one_layer("gltf/khronos/WaterBottle/WaterBottle_normal.png", R"("encoding": "tangent_normal")",
+                  R"("kind": "normal_map", "basis": "vertex")");
+    const truth::Made object = one_layer("object-space/WaterBottle_object_normal.png",
+                                         R"("encoding": "object_normal")", R"("kind": "object_normal_map")");
+    const truth::Made bare = truth::make({R"({"version": 1})", {}, {"normal"}});
+    auto draw = [&](const truth::Made& made) { return truth::draw(made, scene, "normal", kPixels, kPixels); };
+    const runtime::Picture first = draw(tangent);
+    const Numbers apart = numbers_of(angles_between(first, draw(object)).degrees);
+    const Numbers bump = numbers_of(angles_between(first, draw(bare)).degrees);
+    fmt::print("WaterBottle: apart {}; bumps {}\n", text_of(apart), text_of(bump));
+    // Two maps of 8 bits: half a step of 1/127.5 in three channels each, 0.8 degrees; a baked normal is also
+    // that of the texel's middle. Seams are within the 1 % that are not counted.
+    EXPECT_LT(apart.median, 0.8);
+    EXPECT_GT(bump.p95, 3 * apart.median);
+}
+
+// Bricks whose height and normal map come from a photograph: their slopes go together.
+TEST(AmbientCg, BricksHeightsGoWithTheirNormals) {
+    const std::string folder = "textures/ambientcg/Bricks102/Bricks102_1K-JPG_";
+    SG_NEEDS(folder + "Displacement.jpg");
+    runtime::Scene scene;
+    scene.content.meshes.push_back(runtime::make_plane(4, false));
+    scene.content.instances.push_back({"", 0, glm::mat4(1)});
+    scene.camera.position = {0, 0, 3};
+    scene.camera.ortho_height = 1.9;
+    auto slopes = [&](const std::string& file, const std::string& texture, const std::string& layer) {
+        const truth::Made made = one_layer(folder + file, texture, layer);
+        const runtime::Picture picture = truth::draw(made, scene, "normal", kPixels, kPixels);
+        std::vector<dvec2> out;
+        for (std::uint32_t y = 0; y < kPixels; ++y) {
+            for (std::uint32_t x = 0; x < kPixels; ++x) {
+                const dvec3 n = truth::rgb(picture, x, y);
+                out.emplace_back(n.x / n.z, n.y / n.z);
+            }
+        }
+        return out;
+    };
+    auto correlation = [](const std::vector<dvec2>& a, const std::vector<dvec2>& b) {
+        double aa = 0, bb = 0, ab = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            aa += glm::dot(a[i], a[i]), bb += glm::dot(b[i], b[i]), ab += glm::dot(a[i], b[i]);
+        return ab / std::sqrt(aa * bb);
+    };
+    const auto heights =
+        slopes("Displacement.jpg", R"("encoding": "height")", R"("kind": "height_map", "strength": 0.1)");
+    const auto up = slopes("NormalGL.jpg", R"("encoding": "tangent_normal")", R"("kind": "normal_map")");
+    const auto down =
+        slopes("NormalDX.jpg", R"("encoding": "tangent_normal", "green": "down")", R"("kind": "normal_map")");
+    const auto wrong = slopes("NormalDX.jpg", R"("encoding": "tangent_normal")", R"("kind": "normal_map")");
+    fmt::print("Bricks102: correlation {:.3f} GL, {:.3f} DX, {:.3f} with green the wrong way\n",
+               correlation(heights, up), correlation(heights, down), correlation(heights, wrong));
+    // A photograph's heights and normals agree only so far (8-bit JPEG, and a pixel covers several texels);
+    // which way is up they must agree on: with green turned, nothing is left.
+    EXPECT_GT(correlation(heights, up), 0.5);
+    EXPECT_GT(correlation(heights, down), 0.5);
+    EXPECT_LT(correlation(heights, wrong), 0.1);
+}
+
+// A plane seen from behind: with glTF's rule the whole normal turns.
+TEST(TwoSidedPlane, TurnsItsNormalBehind) {
+    const std::string folder = "gltf/khronos/TwoSidedPlane/TwoSidedPlane";
+    SG_NEEDS(folder + ".gltf");
+    runtime::Scene scene = file_scene(folder + ".gltf");
+    const truth::Made made = one_layer(folder + "_Normal.png", R"("encoding": "tangent_normal")",
+                                       R"("kind": "normal_map")", R"(, "surface": {"two_sided": "flip"})");
+    const auto bounds = runtime::bounds_of(scene.content);
+    dvec3 axis(0);
+    for (int i = 0; i < 3; ++i) {
+        if (bounds.upper[i] - bounds.lower[i] < 0.01 * bounds.radius) axis[i] = 1;
+    }
+    ASSERT_EQ(glm::length(axis), 1);
+    std::map<std::pair<int, int>, dvec3> seen;
+    double worst = 0;
+    std::size_t compared = 0;
+    for (double side : {1.0, -1.0}) {
+        scene.camera.target = bounds.center;
+        scene.camera.position = bounds.center + side * axis * 4.0 * bounds.radius;
+        scene.camera.ortho_height = bounds.radius;
+        const runtime::Picture normals = truth::draw(made, scene, "normal", kPixels, kPixels),
+                               uv = truth::draw(made, scene, "uv0", kPixels, kPixels);
+        for (std::uint32_t y = 0; y < kPixels; ++y) {
+            for (std::uint32_t x = 0; x < kPixels; ++x) {
+                if (!truth::covered(normals, x, y)) continue;
+                const dvec3 n = truth::rgb(normals, x, y);
+                EXPECT_GT(glm::dot(n, side * axis), 0);
+                // The same place: the same coordinate to a 4096th of the map.
+                const dvec2 st(truth::rgb(uv, x, y));
+                const std::pair<int, int> key(static_cast<int>(std::lround(st.x * 4096)),
+                                              static_cast<int>(std::lround(st.y * 4096)));
+                if (side > 0) seen[key] = n;
+                if (side > 0 || !seen.contains(key)) continue;
+                worst = std::max(worst, angle_degrees(-n, seen[key]));
+                ++compared;
+            }
+        }
+    }
+    fmt::print("TwoSidedPlane: {} places seen from both sides, at most {:.4f} degrees apart\n", compared,
+               worst);
+    EXPECT_GT(compared, 500u);
+    EXPECT_LT(worst, 0.5);
+}
+
+// Two copies of one mesh, one of them mirrored by its node: seen in a mirror, it is the other.
+TEST(NegativeScale, MirroredNodesFaceOutward) {
+    const std::string file = "gltf/khronos/NegativeScaleTest/NegativeScaleTest.glb";
+    SG_NEEDS(file);
+    const runtime::Scene scene = file_scene(file);
+    std::size_t mirrored = 0;
+    for (const asset::Instance& instance : scene.content.instances)
+        mirrored += glm::determinant(glm::mat3(instance.world_from_object)) < 0 ? 1 : 0;
+    EXPECT_GT(mirrored, 0u);
+    const truth::Made bare = truth::make({R"({"version": 1})", {}, {"normal", "debug"}});
+    const runtime::Picture normals = truth::draw(bare, scene, "normal", kPixels, kPixels),
+                           positions = truth::draw(bare, scene, "position", kPixels, kPixels);
+    std::size_t count = 0, away = 0;
+    for (std::uint32_t y = 0; y < kPixels; ++y) {
+        for (std::uint32_t x = 0; x < kPixels; ++x) {
+            if (!truth::covered(normals, x, y)) continue;
+            ++count;
+            away += glm::dot(truth::rgb(normals, x, y), truth::rgb(positions, x, y)) > 0 ? 1 : 0;
+        }
+    }
+    fmt::print("NegativeScaleTest: {} of {} instances mirrored; {} of {} pixels face away\n", mirrored,
+               scene.content.instances.size(), away, count);
+    EXPECT_GT(count, 500u);
+    EXPECT_LT(away, count / 100);  // interpolated normals at silhouettes
+}
+
+// A texture's transform of glTF, as a layer's uv: T(offset) R(rotation) S(scale), as a normal map on uv 0
+// and 1.
+TEST(MultiUv, TheSecondSetPlacesTheSecondMap) {
+    const std::string folder = "gltf/khronos/MultiUVTest/";
+    SG_NEEDS(folder + "MultiUVTest.gltf");
+    const runtime::Scene scene = file_scene(folder + "MultiUVTest.gltf");
+    const std::string encoding = R"("encoding": "height")";
+    auto draw = [&](int uv) {
+        const truth::Made made =
+            one_layer(folder + "uv1.png", encoding,
+                      fmt::format(R"("kind": "height_map", "uv": {}, "strength": 0.02)", uv));
+        return truth::draw(made, scene, "normal", kPixels, kPixels);
+    };
+    const runtime::Picture zero = draw(0), one = draw(1);
+    const Numbers apart = numbers_of(angles_between(zero, one).degrees);
+    fmt::print("MultiUVTest: the same map on both sets: {}\n", text_of(apart));
+    EXPECT_GT(apart.p95, 0.5);
+}
+
+}  // namespace
+}  // namespace sg::proof
