@@ -16,10 +16,14 @@ namespace {
 constexpr std::uint32_t kTextures = 100,
                         kSamplers = 200;  // glslang has one number space: t and s are shifted apart
 
-// glslang numbers locations in the order of appearance and does not look at TEXCOORDn.
-std::string with_locations(const std::string& text) {
+// glslang numbers locations in the order of appearance and does not look at TEXCOORDn. It copies a constant
+// table wherever one of its numbers is read, which a driver takes half a minute to compile; a variable it
+// does not copy.
+std::string for_glslang(const std::string& text) {
     static const std::regex kSemantic("(\\n\\s*)(\\w+ \\w+ : TEXCOORD)(\\d+);");
-    return std::regex_replace(text, kSemantic, "$1[[vk::location($3)]] $2$3;");
+    static const std::regex kTable("static const (\\w+ \\w+\\[)");
+    return std::regex_replace(std::regex_replace(text, kSemantic, "$1[[vk::location($3)]] $2$3;"), kTable,
+                              "static $1");
 }
 
 std::string options(bool vertex) {
@@ -90,7 +94,7 @@ std::vector<std::string> hlsl_refusals(const std::vector<HlslText>& texts) {
         auto [at, fresh] =
             files().try_emplace(text.text, (scratch() / fmt::format("text{}.hlsl", files().size())).string());
         if (!fresh) continue;
-        write_file(at->second, with_locations(text.text));
+        write_file(at->second, for_glslang(text.text));
         commands += fmt::format("glslangValidator {} -o {}.spv {} > {}.log 2>&1 || echo refused >> {}.log\n",
                                 options(text.vertex), at->second, at->second, at->second, at->second);
     }

@@ -259,7 +259,6 @@ const Pixels& expected(const Sample& sample, const Target& target, const Shown& 
 
 std::vector<const Shown*> shots_of(const Target& target) {
     std::vector<std::string_view> names = {"normal", "forward", "debug", "function"};
-    if (target.language == Language::hlsl) names = {"normal", "function"};
     if (target.language == Language::spirv) names = {"function"};
     if (is_recipe(target)) names = {"normal", "forward"};
     std::vector<const Shown*> out;

@@ -21,8 +21,9 @@ struct Result {
     std::vector<Shot> shots;  // in the order of shots_of
 };
 
-// What is drawn in a target. In HLSL and WGSL not everything: their drivers compile a shader for seconds. In
-// WGSL nothing without a SPIR-V; of spirv, which the others are compared with, the function in Vulkan's GLSL.
+// What is drawn in a target: everything; but in WGSL no `debug`, which SwiftShader compiles for long, and
+// nothing without a SPIR-V; of spirv, which the others are compared with, the function alone, in Vulkan's
+// GLSL.
 std::vector<const Shown*> shots_of(const target::Target& target);
 
 // Samples by name, in each the targets in their order. Made once, on the first call.
