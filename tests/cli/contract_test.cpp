@@ -19,7 +19,7 @@ Layout documented(const std::string& block) {
     std::string text = test::read_file(test::source_dir() / "compiler/artefacts.md");
     std::size_t begin = text.find("`" + block + "`, ");
     EXPECT_NE(begin, std::string::npos) << block;
-    text = text.substr(begin, text.find("\n### ", begin) - begin);
+    text = text.substr(begin, std::min(text.find("\n### ", begin), text.find("\n## ", begin)) - begin);
     std::regex row("\\| (\\d+) \\| `(\\w+)` \\|");
     Layout out;
     for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it)

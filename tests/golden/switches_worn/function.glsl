@@ -46,6 +46,14 @@ struct SgMaterialInputs {
     vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
     vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
     vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;             // the object's origin, relative world space
+    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;            // its change per pixel downward
+    vec3 camera_position;           // absolute world space
+    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
+    vec4 screen_y;                  // its second column
+    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
     vec2 uv0;                       // texture coordinate 0, t downward
     vec2 uv0_dx;                    // its change per pixel to the right
     vec2 uv0_dy;                    // its change per pixel downward

@@ -1,0 +1,73 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// carved pebbles, eroded: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/moved.glsl"
+#include "stage/object.glsl"
+#include "stage/view.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_height.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/height_map.glsl"
+#include "surfgrad/noise.glsl"
+#include "surfgrad/parallax.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_height;
+layout(set = 1, binding = 2) uniform texture2D t_weave;
+layout(set = 1, binding = 3) uniform texture2D t_stone;
+layout(set = 1, binding = 4) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgNormalDerivatives m_normal_derivatives = sg_stage_normal_derivatives(sg_in_normal);
+
+    // parallax: occlusion
+    SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
+    vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+
+    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
+
+    // stones: height_map
+    SgUv m_stones_uv = sg_uv_scale(sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy), vec2(5.0, 2.0));
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_stones_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_stones_uv));
+    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+
+    vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
+    SgFrame m_frame_3 = sg_stage_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0);
+
+    // dents: noise
+    SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_frame_3), 4.0), 4), 2.5);
+
+    // grain: triplanar
+    SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_world_volume(m_frame_3), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec2 m_grain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0));
+    vec2 m_grain_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0));
+    vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
+    vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
+
+    vec3 m_add_volgrad = -0.1 * sg_stage_gradient_from_object(4.0 * m_dents_noise.gradient) + 0.25 * m_grain_gradient;
+    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_stones_uv).rgb, 1.0);
+    sg_out_normal = vec4(sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)), 0.85);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}

@@ -1,0 +1,55 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// pebbles, four steps with a parallax map: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/view.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/parallax.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    float p_depth;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_planes;
+layout(set = 1, binding = 2) uniform texture2D t_pebble;
+layout(set = 1, binding = 3) uniform texture2D t_stone;
+layout(set = 1, binding = 4) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 2) in vec4 sg_in_tangent;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    float m_facing = sg_stage_facing();
+    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_mirror_normal(m_base_normal, m_facing));
+    SgNormalDerivatives m_normal_derivatives = sg_stage_normal_derivatives(sg_in_normal);
+
+    // parallax: steps
+    SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
+    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.p_depth * 0.125 * sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy, int(4.0));
+    vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+    vec3 m_parallax_moved_normal_2 = sg_mirror_normal(m_parallax_moved_normal, m_facing);
+
+    // stones: normal_map
+    SgUv m_stones_uv = sg_uv_scale(sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy), vec2(5.0, 2.0));
+    vec2 m_stones_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_stones_uv).xyz, 127.0));
+    vec3 m_stones = sg_surfgrad_from_tbn(sg_deriv_green_up(m_stones_deriv), sg_basis_resolved(sg_basis_vertex(sg_in_normal, sg_in_tangent), m_parallax_moved_normal_2));
+
+    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_stones_uv).rgb, 1.0);
+    sg_out_normal = vec4(sg_resolve(m_parallax_moved_normal_2, m_stones), 0.8);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}
