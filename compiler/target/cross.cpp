@@ -252,7 +252,10 @@ public:
         auto rename = [&](std::uint32_t id) {
             std::string name = this->get_name(id);
             name.resize(std::min(name.size(), name.find('(')));  // functions are called "sg_reject(vf3;vf3;"
-            bool stays = name.empty() || name == "main" || name.ends_with(suffix) ||
+            // The library's names may end like a material's: sg_parallax_occlusion.
+            bool own = name.ends_with(suffix) &&
+                       (!name.starts_with("sg_") || name == "sg_material" + std::string(suffix));
+            bool stays = name.empty() || name == "main" || own ||
                          std::find(shared.begin(), shared.end(), name) != shared.end();
             if (!stays) this->set_name(id, name + std::string(suffix));
         };

@@ -43,7 +43,7 @@ SgScreenDerivatives sg_analytic_derivatives(vec3 position, vec3 n, vec3 view, ma
 //   position: the moved point, relative world space; n: its unit normal; facing: +1, or -1 where n points away because
 //   the back of a "flip" surface is seen; view: unit, towards the viewer; relative_from_screen: as above;
 //   clip_from_relative: its inverse up to the viewport.
-// Result: a whole frame; dpdx and dpdy analytic; flip_sign of n, however far that faces away. Cost: 84 instructions.
+// Result: a whole frame; dpdx and dpdy analytic; flip_sign of n, however far that faces away. Cost: 82 instructions.
 // Source: sections 3.7 and 4.6.
 SgFrame sg_frame_rebuilt(vec3 position, vec3 n, float facing, vec3 view, mat4 relative_from_screen,
                          mat4 clip_from_relative) {

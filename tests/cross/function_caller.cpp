@@ -16,6 +16,9 @@ struct Dialect {
     const char* main;                       // where the entry function begins
     const char *input, *dx, *dy;            // {}: name, or what is derived
     const char *time, *column, *parameter;  // {}: number, or name
+    std::string frame(std::string_view member) const {
+        return std::string(time).substr(0, std::string_view(time).find("time_view")) + std::string(member);
+    }
     const char *assign, *discard, *leave;
 };
 
@@ -72,7 +75,29 @@ std::string with(const char* pattern, std::string_view value) {
     return fmt::vformat(pattern, fmt::make_format_args(value));
 }
 
-std::string input_value(const std::string& name, const Dialect& dialect) {
+// What only parallax asks for; "" for other inputs.
+std::string camera_value(const std::string& name, const Dialect& dialect, const std::string& vector) {
+    const std::string unit = "normalize(" + with(dialect.input, "normal") + ")";
+    if (name == "object_origin") {
+        const std::string column = with(dialect.column, "3");
+        return column + " - " + dialect.frame("camera_position") + ".xyz";
+    }
+    if (name == "base_normal_dx") return with(dialect.dx, unit);
+    if (name == "base_normal_dy") return with(dialect.dy, unit);
+    if (name == "camera_position") return dialect.frame("camera_position") + ".xyz";
+    if (name == "to_viewer")
+        return vector + "(-" + dialect.frame("view_direction") + ".xyz, " + dialect.frame("camera_position") +
+               ".w)";
+    const std::string screen = dialect.frame("relative_from_screen"),
+                      clip = dialect.frame("clip_from_relative");
+    if (name == "screen_x") return screen + "[0]";
+    if (name == "screen_y") return screen + "[1]";
+    if (name != "clip_w") return "";
+    return fmt::format("{0}({1}[0].w, {1}[1].w, {1}[2].w, {1}[3].w)", vector, clip);
+}
+
+std::string input_value(const std::string& name, const Dialect& dialect, const std::string& vector) {
+    if (std::string value = camera_value(name, dialect, vector); !value.empty()) return value;
     if (name == "facing") return "gl_FrontFacing ? 1.0 : -1.0";
     if (name == "time") return dialect.time;
     if (name.size() == 8 && name.starts_with("object_"))
@@ -84,9 +109,11 @@ std::string input_value(const std::string& name, const Dialect& dialect) {
 
 std::string body_of(const nlohmann::json& function, const target::Target& target, const Dialect& dialect) {
     std::string out = "    SgMaterialInputs given;\n", arguments = "given";
+    const bool glsl = target.language != Language::hlsl && target.language != Language::msl;
+    const std::string vector = glsl ? "vec4" : "float4";
     for (const auto& input : function.at("inputs")) {
         const std::string name = input.at("name");
-        out += fmt::format("    given.{} = {};\n", name, input_value(name, dialect));
+        out += fmt::format("    given.{} = {};\n", name, input_value(name, dialect, vector));
     }
     if (function.contains("parameters")) {
         out += fmt::format("    {} set;\n", function["parameters"].at("type").get<std::string>());

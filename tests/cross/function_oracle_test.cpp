@@ -144,7 +144,24 @@ std::vector<ir::PixelInputs> pixels_of(const std::string& sample, Seen seen) {
     return out;
 }
 
+// What only parallax asks for.
+std::optional<glm::dvec4> camera_input(const ir::PixelInputs& pixel, const std::string& name) {
+    const ir::PixelCamera& camera = pixel.camera;
+    if (name == "object_origin") return glm::dvec4(pixel.object_origin, 0);
+    if (name == "base_normal_dx") return glm::dvec4(pixel.dndx, 0);
+    if (name == "base_normal_dy") return glm::dvec4(pixel.dndy, 0);
+    if (name == "camera_position") return glm::dvec4(camera.position, 0);
+    if (name == "to_viewer")
+        return camera.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(-camera.direction, 0);
+    if (name == "screen_x") return camera.relative_from_screen[0];
+    if (name == "screen_y") return camera.relative_from_screen[1];
+    // The last row of the inverse gives the homogeneous weight, whatever the viewport.
+    if (name == "clip_w") return glm::transpose(glm::inverse(camera.relative_from_screen))[3];
+    return std::nullopt;
+}
+
 glm::dvec4 input_of(const ir::PixelInputs& pixel, const std::string& name) {
+    if (const auto given = camera_input(pixel, name)) return *given;
     const bool along_x = name.ends_with("_dx"), along_y = name.ends_with("_dy");
     const std::string base = name.substr(0, name.size() - (along_x || along_y ? 3 : 0));
     auto pick = [&](auto p, auto dx, auto dy) { return along_x ? dx : along_y ? dy : p; };
@@ -278,7 +295,11 @@ TEST_P(MetalFunction, IsWhatTheInterpreterComputes) {
     fmt::print("{}", report(sample, c));
     EXPECT_TRUE(c.holds()) << report(sample, c);
     EXPECT_EQ(c.beyond, 0.0) << "the largest of them, too, stays below its own bound";
-    EXPECT_LT(c.p999_bound, 0.05);
+    // Behind parallax, a ray that grazes the surface moves the hit by many times what rounding does to
+    // heights.
+    const bool grazes = std::any_of(material.module.values.begin(), material.module.values.end(),
+                                    [](const ir::Value& v) { return ir::looks_along_ray(v.op); });
+    EXPECT_LT(c.p999_bound, grazes ? 0.15 : 0.05);
     // Colours and numbers lie in 0 to 1. A coordinate up to 10 is off by 4 roundings, which over 256 texels
     // of 1 each is 4 2^-24 10 256 = 6.1e-4 of a channel; all other roundings, a hundred of 2^-24, are nothing
     // beside it.
@@ -313,10 +334,9 @@ TEST_P(WrongMetalFunction, IsNoticed) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Texts, WrongMetalFunction,
-    testing::Values(Mutant{"resolve_adds", "layered.json", "\\(n \\* scale\\) - \\(g \\* scale\\)",
-                           "(n * scale) + (g * scale)"},
-                    Mutant{"slopes_a_ten_thousandth_too_steep", "normal_map.json",
-                           "\\(n \\* scale\\) - \\(g \\* scale\\)", "(n * scale) - (g * scale * 1.0001)"},
+    testing::Values(Mutant{"resolve_adds", "layered.json", "= n - g;", "= n + g;"},
+                    Mutant{"slopes_a_ten_thousandth_too_steep", "normal_map.json", "= n - g;",
+                           "= n - g * 1.0001;"},
                     Mutant{"derivatives_swapped", "normal_map.json", "sg_inputs.uv0_dx, sg_inputs.uv0_dy",
                            "sg_inputs.uv0_dy, sg_inputs.uv0_dx"},
                     Mutant{"t_flipped", "layered.json", "sample\\(filtering, uv.st,",

@@ -74,8 +74,8 @@ double least_roughness(const nlohmann::json& material, const nlohmann::json& wri
 nlohmann::json whole(const nlohmann::json& material) {
     if (!material.contains("extends")) return material;
     nlohmann::json base = whole(nlohmann::json::parse(files().at(material.at("extends").get<std::string>())));
-    for (const auto& [name, value] : material.value("parameters", nlohmann::json::object()).items())
-        base.at("parameters").at(name).at("default") = value;
+    const nlohmann::json changed = material.value("parameters", nlohmann::json::object());
+    for (const auto& [name, value] : changed.items()) base.at("parameters").at(name).at("default") = value;
     return base;
 }
 
