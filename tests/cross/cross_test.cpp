@@ -53,7 +53,8 @@ TEST_P(EverySample, DrawsWhatItsSpirvDraws) {
             const std::string text = fmt::format("{} {} {}: {}\n", row.sample, row.target->name,
                                                  shot.shown->name, words(shot.difference));
             fmt::print("{}", text);
-            EXPECT_TRUE(within(shot.difference, limit_of(*row.target, *shot.shown, sample(row.sample)))) << text;
+            EXPECT_TRUE(within(shot.difference, limit_of(*row.target, *shot.shown, sample(row.sample))))
+                << text;
         }
     }
     if (!skipped.empty()) GTEST_SKIP() << skipped;
