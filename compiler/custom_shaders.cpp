@@ -23,6 +23,12 @@ std::string unprefixed(std::string text, const std::string& prefix, const std::v
     return text;
 }
 
+// The types of arguments and the files of the library that declare them.
+constexpr std::pair<std::string_view, std::string_view> kDeclares[] = {{"SgFrame", "surfgrad/frame.glsl"},
+                                                                       {"SgBasis", "surfgrad/tbn.glsl"},
+                                                                       {"SgUv", "surfgrad/uv.glsl"},
+                                                                       {"SgVolume", "surfgrad/volume.glsl"}};
+
 class Verifier {
 public:
     Verifier(material::CheckedMaterial& material, std::size_t shader, const Defines& defines,
@@ -126,14 +132,22 @@ private:
         return out + "void main() {}\n";
     }
 
+    // What declares the types of the arguments: all that a generated shader is sure to bring.
+    [[nodiscard]] std::string of_arguments() const {
+        std::vector<std::string_view> files;
+        for (const auto& [type, file] : kDeclares) {
+            for (const material::ShaderCall& call : material_.calls) {
+                if (call.shader == number_ && std::count(call.arguments.begin(), call.arguments.end(), type))
+                    files.push_back(file);
+            }
+        }
+        return everything(files);
+    }
+
     // Compiles with these includes in front of what the types of arguments need.
     bool compiles(const std::string& includes) {
         std::string before =
-            "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
-            "#include \"surfgrad/frame.glsl\"\n#include \"surfgrad/tbn.glsl\"\n#include "
-            "\"surfgrad/uv.glsl\"\n"
-            "#include \"surfgrad/volume.glsl\"\n" +
-            includes;
+            "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + of_arguments() + includes;
         std::string behind = calls();
         const target::GlslPart parts[] = {
             {kLibrary, before}, {kMacros, macros_}, {shader_.file, text_}, {kCaller, behind}};
@@ -142,6 +156,10 @@ private:
         std::string what = printable(unprefixed(fault->what, prefix_, all_names_));
         while (what.ends_with(' ')) what.pop_back();
         if (what.starts_with("'' : ")) what.erase(0, 5);
+        for (const auto& [type, file] : kDeclares) {
+            if (what.find(fmt::format("'{}'", type)) != what.npos)
+                what += fmt::format("; #include \"{}\" declares it", file);
+        }
         bool here = fault->part == shader_.file && fault->line > 0;
         if (!here && fault->line > 0)
             what += fmt::format(" (in {}, line {})", printable(fault->part), fault->line);

@@ -148,6 +148,19 @@ TEST(CustomGlsl, WithoutEquivalentHasNoReference) {
     EXPECT_EQ(with.compiled->ir.find("noise_"), std::string::npos);
 }
 
+// A generated shader brings what the arguments need and no more.
+TEST(CustomGlsl, TypesOfTheLibraryNeedTheirFile) {
+    const std::string text = "vec3 f(float x) {\n    SgBasis basis;\n    return basis.tangent * x;\n}\n";
+    const std::string json = material(layer("a.glsl", "f", "\"$x\""));
+    EXPECT_EQ(
+        compile(json, {{"a.glsl", text}}).messages,
+        R"(a.glsl:2:5: error: 'SgBasis' : undeclared identifier; #include "surfgrad/tbn.glsl" declares it [SG1601]
+    SgBasis basis;
+    ^^^^^^^
+)");
+    EXPECT_TRUE(compile(json, {{"a.glsl", "#include \"surfgrad/tbn.glsl\"\n" + text}}).compiled);
+}
+
 // An accepted file that did not compile behind the check would end this process with exit code 3.
 TEST(CustomGlsl, RandomDamageIsRefusedOrCompiles) {
     const std::string good = test::read_file(test::source_dir() / "materials/shaders/custom.glsl");
