@@ -56,9 +56,6 @@ std::size_t covered_count(const runtime::Picture& picture) {
     return static_cast<std::size_t>(std::count(picture.coverage.begin(), picture.coverage.end(), 1.0f));
 }
 
-// What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the
-// square of (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of
-// 2^-24 there, doubled by the square, are relative to a^2.
 // The smallest roughness that a number, a parameter at its default, a mix of two of them, or a mask over a
 // range can give.
 double least_roughness(const nlohmann::json& material, const nlohmann::json& written) {
@@ -79,6 +76,9 @@ nlohmann::json whole(const nlohmann::json& material) {
     return base;
 }
 
+// What a reordering of roundings may do to a view. 1e-5 everywhere but in a highlight: GGX divides by the
+// square of (n.h)^2 (a^2 - 1) + 1, a = roughness^2, which cancels down to a^2 at the peak: four roundings of
+// 2^-24 there, doubled by the square, are relative to a^2.
 double limit(const std::string& json, const std::string& view) {
     if (view != "lit") return 1e-5;
     const nlohmann::json material = whole(nlohmann::json::parse(json));
