@@ -50,13 +50,13 @@ Json value_of(const Field& field) {
             return {{"type", "integer"}, {"minimum", field.minimum}, {"maximum", field.maximum}};
         case FieldKind::number:
             return {{"anyOf",
-                     {bounded, reference("parameter reference"), reference("node reference"),
+                     {bounded, reference("parameter_reference"), reference("node_reference"),
                       reference("node")}}};
         case FieldKind::pair:
-            return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter reference")}}};
+            return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter_reference")}}};
         case FieldKind::color:
             return {{"anyOf",
-                     {numbers(3, bounded), reference("parameter reference"), reference("node reference"),
+                     {numbers(3, bounded), reference("parameter_reference"), reference("node_reference"),
                       reference("node")}}};
         case FieldKind::vector:
             return numbers(3, bounded);
@@ -174,7 +174,7 @@ Json argument_definition() {
     any.push_back(four);
     any.push_back(object({{"uv", reference("uv")}}, {"uv"}));
     any.push_back(object({{"texture", reference("name")}}, {"texture"}));
-    for (const char* name : {"parameter reference", "node reference", "node"}) any.push_back(reference(name));
+    for (const char* name : {"parameter_reference", "node_reference", "node"}) any.push_back(reference(name));
     return {{"anyOf", any}};
 }
 
@@ -218,24 +218,33 @@ Json parameter_value() {
               {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
 }
 
+Json parameter_of(std::span<const std::string_view> types, Json value, bool ranged) {
+    Json properties = {{"type", words(types)}, {"default", std::move(value)}};
+    if (ranged) properties["range"] = numbers(2, {{"type", "number"}});
+    properties["label"] = {{"type", "string"}};
+    properties["unit"] = {{"type", "string"}};
+    return object(properties, {"type", "default"});
+}
+
 Json parameter_definition() {
-    constexpr std::string_view kTypes[] = {"float", "vec2", "vec3", "vec4",
-                                           "color", "bool", "int",  "texture"};
-    Json any = parameter_value();
-    return object({{"type", words(kTypes)},
-                   {"default", any},
-                   {"range", numbers(2, {{"type", "number"}})},
-                   {"label", {{"type", "string"}}},
-                   {"unit", {{"type", "string"}}}},
-                  {"type", "default"});
+    constexpr std::string_view kFloat[] = {"float"}, kVec2[] = {"vec2"}, kThree[] = {"vec3", "color"},
+                               kVec4[] = {"vec4"}, kBool[] = {"bool"}, kInt[] = {"int"},
+                               kTexture[] = {"texture"};
+    Json any = {{"type", "number"}};
+    return {
+        {"anyOf",
+         {parameter_of(kFloat, any, true), parameter_of(kVec2, numbers(2, any), true),
+          parameter_of(kThree, numbers(3, any), true), parameter_of(kVec4, numbers(4, any), true),
+          parameter_of(kInt, {{"type", "integer"}}, true), parameter_of(kBool, {{"type", "boolean"}}, false),
+          parameter_of(kTexture, reference("name"), false)}}};
 }
 
 Json surface_definition() {
     auto expression = [](std::size_t count, double maximum) {
         Json bounded = number(0, maximum);
         return Json{{"anyOf",
-                     {count == 1 ? bounded : numbers(count, bounded), reference("parameter reference"),
-                      reference("node reference"), reference("node")}}};
+                     {count == 1 ? bounded : numbers(count, bounded), reference("parameter_reference"),
+                      reference("node_reference"), reference("node")}}};
     };
     constexpr std::string_view kSides[] = {"off", "mirror", "flip"};
     return object({{"base_color", expression(3, 1)},
@@ -266,8 +275,8 @@ Json named(Json item) {
 
 std::string schema_text() {
     Json definitions = {{"name", {{"type", "string"}, {"minLength", 1}, {"maxLength", 64}}},
-                        {"parameter reference", {{"type", "string"}, {"pattern", "^\\$.+"}}},
-                        {"node reference", {{"type", "string"}, {"pattern", "^@.+"}}},
+                        {"parameter_reference", {{"type", "string"}, {"pattern", "^\\$.+"}}},
+                        {"node_reference", {{"type", "string"}, {"pattern", "^@.+"}}},
                         {"uv", uv_definition()},
                         {"node", node_definition()},
                         {"argument", argument_definition()},
@@ -296,7 +305,7 @@ std::string schema_text() {
                             {"extends", {{"type", "string"}, {"minLength", 1}}},
                             {"parameters", named(parameter_value())}},
                            {"version", "extends"});
-    out["if"] = {{"required", {"extends"}}};
+    out["if"] = {{"type", "object"}, {"required", {"extends"}}};
     out["then"] = instance;
     out["else"] = whole;
     out["definitions"] = definitions;
