@@ -27,8 +27,8 @@ Pixels pixels_from(const std::string& text) {
         bits -= 8;
         bytes += static_cast<char>(group >> bits & 0xFFu);
     }
-    Pixels out(std::size_t{kSide} * kSide * 4);
-    if (bytes.size() != out.size() * sizeof(float))
+    Pixels out(bytes.size() / sizeof(float));
+    if (bytes.empty() || bytes.size() % (kPlane * sizeof(float)) != 0)
         throw std::runtime_error("the browser gave another number of bytes");
     std::memcpy(out.data(), bytes.data(), bytes.size());
     return out;

@@ -88,9 +88,8 @@ GLuint link(const std::string& vertex, const std::string& fragment) {
 
 // Everything that a draw makes goes with it.
 struct Objects {
-    std::vector<GLuint> buffers, textures, samplers;
+    std::vector<GLuint> buffers, textures, samplers, framebuffers, renderbuffers;
     GLuint program = 0, vertex_array = 0;
-    GLuint framebuffer = 0, renderbuffers[2] = {0, 0};
     Objects() = default;
     Objects(const Objects&) = delete;
     Objects& operator=(const Objects&) = delete;
@@ -100,25 +99,71 @@ struct Objects {
         glDeleteSamplers(static_cast<GLsizei>(samplers.size()), samplers.data());
         glDeleteProgram(program);
         glDeleteVertexArrays(1, &vertex_array);
-        glDeleteFramebuffers(1, &framebuffer);
-        glDeleteRenderbuffers(2, renderbuffers);
+        glDeleteFramebuffers(static_cast<GLsizei>(framebuffers.size()), framebuffers.data());
+        glDeleteRenderbuffers(static_cast<GLsizei>(renderbuffers.size()), renderbuffers.data());
     }
 };
 
-void make_target(Objects& objects) {
-    glGenFramebuffers(1, &objects.framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, objects.framebuffer);
-    glGenRenderbuffers(2, objects.renderbuffers);
-    const std::pair<GLenum, GLenum> kinds[] = {{GL_RGBA32F, GL_COLOR_ATTACHMENT0},
-                                               {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}};
-    for (int i = 0; i < 2; ++i) {
-        glBindRenderbuffer(GL_RENDERBUFFER, objects.renderbuffers[i]);
-        glRenderbufferStorage(GL_RENDERBUFFER, kinds[i].first, kSide, kSide);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, kinds[i].second, GL_RENDERBUFFER, objects.renderbuffers[i]);
+// With that many colour attachments, and what holds the depth, if anything. They are drawn into and read.
+void make_target(Objects& objects, std::size_t attachments, GLuint depth) {
+    objects.framebuffers.emplace_back();
+    glGenFramebuffers(1, &objects.framebuffers.back());
+    glBindFramebuffer(GL_FRAMEBUFFER, objects.framebuffers.back());
+    std::vector<GLenum> places;
+    for (std::size_t i = 0; i < attachments; ++i) {
+        places.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+        objects.renderbuffers.emplace_back();
+        glGenRenderbuffers(1, &objects.renderbuffers.back());
+        glBindRenderbuffer(GL_RENDERBUFFER, objects.renderbuffers.back());
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, kSide, kSide);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, places.back(), GL_RENDERBUFFER,
+                                  objects.renderbuffers.back());
     }
+    if (depth != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    if (places.empty()) places.push_back(GL_NONE);
+    glDrawBuffers(static_cast<GLsizei>(places.size()), places.data());
+    glReadBuffer(places[0]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("no float framebuffer");
     glViewport(0, 0, kSide, kSide);
+}
+
+GLuint make_depth(Objects& objects) {
+    objects.textures.emplace_back();
+    glGenTextures(1, &objects.textures.back());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, objects.textures.back());
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, kSide, kSide);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return objects.textures.back();
+}
+
+// ES cannot read depth back: this copies it into colours, with alpha 1 where something was drawn.
+constexpr const char* kDepthVertex = R"(#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
+)";
+constexpr const char* kDepthFragment = R"(#version 300 es
+precision highp float;
+uniform highp sampler2D depth;
+out vec4 color;
+void main() {
+    float d = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).x;
+    color = d < 1.0 ? vec4(d, d, d, 1.0) : vec4(0.0);
+}
+)";
+
+void copy_depth(Objects& objects, GLuint depth) {
+    make_target(objects, 1, 0);
+    glDeleteProgram(objects.program);
+    objects.program = link(kDepthVertex, kDepthFragment);
+    glUseProgram(objects.program);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, depth);
+    glBindSampler(0, 0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 GLuint make_buffer(Objects& objects, GLenum kind, const void* data, std::size_t size) {
@@ -206,15 +251,18 @@ void bind_slots(Objects& objects, const Drawing& drawing, const Stage& stage) {
     }
 }
 
-Pixels read_back() {
-    const std::size_t row = std::size_t{kSide} * 4;
-    Pixels rows(row * kSide), out(row * kSide);
+void read_plane(GLenum attachment, Pixels& out) {
+    constexpr std::size_t kRow = std::size_t{kSide} * 4;
+    Pixels rows(kPlane);
+    glReadBuffer(attachment);
     glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_FLOAT, rows.data());
-    for (std::size_t y = 0; y < kSide; ++y) {
-        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y * row), row,
-                    out.begin() + static_cast<std::ptrdiff_t>((kSide - 1 - y) * row));
-    }
-    return out;
+    for (std::size_t y = kSide; y-- > 0;) out.insert(out.end(), &rows[y * kRow], &rows[y * kRow] + kRow);
+}
+
+void clear(std::size_t attachments) {
+    const GLfloat color[] = {0, 0, 0, 0}, far_depth = 1;
+    for (std::size_t i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, static_cast<GLint>(i), color);
+    glClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
 }  // namespace
@@ -227,18 +275,20 @@ Pixels gl_draw(const Drawing& drawing) {
     make_current(drawing.target->language);
     Objects objects;
     objects.program = link(drawing.vertex.text, drawing.fragment.text);
-    make_target(objects);
+    const GLuint depth = make_depth(objects);
+    make_target(objects, drawing.attachments, depth);
     bind_vertices(objects, drawing);
     bind_slots(objects, drawing, drawing.vertex);
     bind_slots(objects, drawing, drawing.fragment);
     glUseProgram(objects.program);
-    const GLfloat clear[] = {0, 0, 0, 0}, far_depth = 1;
-    glClearBufferfv(GL_COLOR, 0, clear);
-    glClearBufferfv(GL_DEPTH, 0, &far_depth);
+    clear(drawing.attachments);
     glEnable(GL_DEPTH_TEST);
     drawing.cull_back ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(drawing.indices.size()), GL_UNSIGNED_INT, nullptr);
-    Pixels out = read_back();
+    if (drawing.attachments == 0) copy_depth(objects, depth);
+    Pixels out;
+    for (std::size_t i = 0; i < std::max<std::size_t>(drawing.attachments, 1); ++i)
+        read_plane(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), out);
     check_gl("while drawing");
     return out;
 }

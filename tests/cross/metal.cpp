@@ -76,15 +76,12 @@ std::vector<RasterVertex> run_vertices(const Drawing& drawing, const SgBindings&
     return out;
 }
 
-// The texts of two versions of Metal are often the same.
 std::string library_of(const std::string& source) {
-    static std::map<std::string, std::string> files;
-    auto [at, fresh] =
-        files.try_emplace(source, (scratch() / fmt::format("texts{}.so", files.size())).string());
-    if (!fresh) return at->second;
-    Outcome compiled = run_clang(source, fmt::format("-O1 -shared -fPIC -o '{}'", at->second));
+    static int made = 0;
+    const std::string file = (scratch() / fmt::format("texts{}.so", made++)).string();
+    Outcome compiled = run_clang(source, fmt::format("-O1 -shared -fPIC -o '{}'", file));
     if (compiled.exit_code != 0) throw std::runtime_error("clang: " + compiled.text.substr(0, 2000));
-    return at->second;
+    return file;
 }
 
 template <typename Function>
@@ -94,6 +91,24 @@ Function function_of(void* library, std::size_t text) {
     return reinterpret_cast<Function>(found);
 }
 
+// All that decides what is drawn: the texts of two versions of Metal are often the same.
+std::string key_of(const Drawing& drawing) {
+    std::string out = fmt::format("{} {}\n", drawing.sample, drawing.shown->name);
+    for (const Stage* stage : {&drawing.vertex, &drawing.fragment}) {
+        for (const Slot& slot : stage->slots)
+            out += fmt::format("{} {} {} {}\n", slot.kind, slot.set, slot.binding, slot.index);
+        out += stage->text;
+    }
+    return out;
+}
+
+Pixels draw_one(const Drawing& drawing, SgVertexFunction vertex, SgFragmentFunction fragment) {
+    std::vector<std::vector<float>> texels;
+    const SgBindings vertex_bindings = bind(drawing, drawing.vertex, texels);
+    const SgBindings fragment_bindings = bind(drawing, drawing.fragment, texels);
+    return rasterise(run_vertices(drawing, vertex_bindings, vertex), drawing, fragment_bindings, fragment);
+}
+
 }  // namespace
 
 std::string metal_missing() {
@@ -101,24 +116,26 @@ std::string metal_missing() {
 }
 
 std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
+    static std::map<std::string, Pixels> pictures;
     Texts texts;
+    std::vector<const Drawing*> fresh;
     std::vector<Plan> plans;
-    for (const Drawing& drawing : drawings)
+    for (const Drawing& drawing : drawings) {
+        if (!pictures.try_emplace(key_of(drawing)).second) continue;
+        fresh.push_back(&drawing);
         plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
-    const std::string library_file = library_of(metal_source(texts.list, true));
-    void* library = ::dlopen(library_file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library) throw std::runtime_error(::dlerror());
-    std::vector<Pixels> out;
-    for (std::size_t i = 0; i < drawings.size(); ++i) {
-        std::vector<std::vector<float>> texels;
-        const SgBindings vertex_bindings = bind(drawings[i], drawings[i].vertex, texels);
-        const SgBindings fragment_bindings = bind(drawings[i], drawings[i].fragment, texels);
-        auto vertices = run_vertices(drawings[i], vertex_bindings,
-                                     function_of<SgVertexFunction>(library, plans[i].vertex));
-        out.push_back(rasterise(vertices, drawings[i].indices, drawings[i].cull_back, fragment_bindings,
-                                function_of<SgFragmentFunction>(library, plans[i].fragment)));
     }
-    ::dlclose(library);
+    if (!fresh.empty()) {
+        void* library = ::dlopen(library_of(metal_source(texts.list, true)).c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (!library) throw std::runtime_error(::dlerror());
+        for (std::size_t i = 0; i < fresh.size(); ++i)
+            pictures[key_of(*fresh[i])] =
+                draw_one(*fresh[i], function_of<SgVertexFunction>(library, plans[i].vertex),
+                         function_of<SgFragmentFunction>(library, plans[i].fragment));
+        ::dlclose(library);
+    }
+    std::vector<Pixels> out;
+    for (const Drawing& drawing : drawings) out.push_back(pictures.at(key_of(drawing)));
     return out;
 }
 

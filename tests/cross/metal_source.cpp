@@ -24,11 +24,10 @@ std::string forgotten_guards(const std::string& text) {
     return out;
 }
 
-std::string first(const std::string& text, const std::regex& pattern, const char* what) {
+// "" where there is none: a shader that writes depth alone has no inputs or no outputs.
+std::string first(const std::string& text, const std::regex& pattern) {
     std::smatch match;
-    if (!std::regex_search(text, match, pattern))
-        throw std::runtime_error(std::string("a Metal text without ") + what);
-    return match[1];
+    return std::regex_search(text, match, pattern) ? match[1].str() : "";
 }
 
 // Statements that copy each field of a struct from or to what stands at its number.
@@ -39,7 +38,7 @@ std::string field_lines(const std::string& body, const char* format) {
     for (std::sregex_iterator it(body.begin(), body.end(), kField), end; it != end; ++it) {
         std::string kind = (*it)[2], number = (*it)[5];
         std::string place = kind == "position" ? "position"
-                            : kind == "color"  ? "colors[pixel]"
+                            : kind == "color"  ? fmt::format("colors[{}][pixel]", number)
                                                : fmt::format("numbers[{}]", number);
         out += fmt::format("    {};\n", fmt::vformat(format, fmt::make_format_args((*it)[1].str(), place)));
     }
@@ -70,26 +69,30 @@ std::string argument_list(const std::string& parameters, const std::string& spac
 
 std::string call_function(const std::string& text, std::size_t i) {
     static const std::regex kIn("struct main0_in\n\\{([^}]*)\\}"), kOut("struct main0_out\n\\{([^}]*)\\}");
-    static const std::regex kSignature("\n(?:vertex|fragment) main0_out main0\\(([^\n]*)\\)\n");
-    const std::string space = fmt::format("sg_text_{}", i);
-    const std::string loads = field_lines(first(text, kIn, "inputs"), "sg_load(in.{}, {})");
-    const std::string stores = field_lines(first(text, kOut, "outputs"), "sg_store(out.{}, {})");
+    static const std::regex kSignature("\n(?:vertex|fragment) (main0_out|void) main0\\(([^\n]*)\\)\n");
+    const std::string space = fmt::format("sg_text_{}", i), inputs = first(text, kIn);
+    std::smatch signature;
+    if (!std::regex_search(text, signature, kSignature))
+        throw std::runtime_error("a Metal text without a signature");
+    const std::string in = inputs.empty() ? "" : fmt::format("    {}::main0_in in;\n", space);
+    const std::string loads = field_lines(inputs, "sg_load(in.{}, {})");
+    const std::string stores = field_lines(first(text, kOut), "sg_store(out.{}, {})");
     const std::string call =
-        fmt::format("{}::main0({})", space, argument_list(first(text, kSignature, "a signature"), space));
+        fmt::format("{}{}::main0({});\n", signature[1] == "void" ? "" : "auto out = ", space,
+                    argument_list(signature[2], space));
     if (text.find("\nvertex ") != text.npos) {
         return fmt::format(
             "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers& attributes, "
             "SgNumbers& varyings, float (&position)[4]) {{\n"
-            "    {}::main0_in in;\n    {{ auto& numbers = attributes;\n{}    }}\n    auto out = {};\n    "
-            "auto& numbers = varyings;\n{}}}\n",
-            i, space, loads, call, stores);
+            "{}    {{ auto& numbers = attributes;\n{}    }}\n    {}    auto& numbers = varyings;\n{}}}\n",
+            i, in, loads, call, stores);
     }
     return fmt::format(
         "extern \"C\" void sg_call_{}(const SgBindings& bindings, const SgNumbers (&varyings)[4], bool "
-        "front, float (&colors)[4][4], bool (&discarded)[4]) {{\n"
-        "    sg_run_quad([&](int pixel) {{\n    {}::main0_in in;\n    auto& numbers = varyings[pixel];\n{}   "
-        " auto out = {};\n{}    }}, discarded);\n}}\n",
-        i, space, loads, call, stores);
+        "front, SgColors& colors, bool (&discarded)[4]) {{\n"
+        "    sg_run_quad([&](int pixel) {{\n{}    auto& numbers = varyings[pixel];\n{}    {}{}    }}, "
+        "discarded);\n}}\n",
+        i, in, loads, call, stores);
 }
 
 }  // namespace

@@ -110,28 +110,62 @@ void keep_clip_space(Drawing& drawing) {
     change(drawing.vertex.text, "\n *(\\w+\\.|)gl_Position.y = -[^\n]*", "");
 }
 
+// ---- of attachments and of depth ----
+
+void swap_attachments(Drawing& drawing) {
+    std::string& text = drawing.fragment.text;
+    switch (drawing.target->language) {
+        case Language::spirv:
+            return swap_words(text, "@location(0) member:", "@location(1) member_1:");
+        case Language::hlsl:
+            return swap_words(text, "SV_Target0", "SV_Target1");
+        case Language::msl:
+            return swap_words(text, "[[color(0)]]", "[[color(1)]]");
+        default:
+            return swap_words(text, "layout(location = 0) out", "layout(location = 1) out");
+    }
+}
+void turn_alpha_test(Drawing& drawing) {
+    change(drawing.fragment.text, "< 0\\.4375", "> 0.4375");
+}
+void push_back(Drawing& drawing) {
+    change(drawing.vertex.text, "((\\w+\\.|)gl_Position)\\.y = -", "$1.z = $1.z * 1.001; $&");
+}
+void keep_depth_range(Drawing& drawing) {
+    change(drawing.vertex.text, "\n *gl_Position.z = 2.0[^\n]*", "");
+}
+
 }  // namespace
 
-std::vector<Mutant> mutants(const Sample& sample, const target::Target& target) {
+std::vector<Mutant> mutants(const target::Target& target) {
     struct Kind {
-        const char *name, *entry;
+        const char *name, *sample, *entry;
         void (*make)(Drawing&);
+        bool gl_alone = false;
     };
-    const Kind kinds[] = {{"two bindings swapped", "normal", swap_bindings},
-                          {"a matrix transposed", "normal", transpose_matrix},
-                          {"t flipped", "normal", flip_t},
-                          {"Vulkan's clip space kept", "normal", keep_clip_space},
-                          {"two textures of the function swapped", "function", swap_arguments},
-                          {"t flipped for the function", "function", flip_given_t},
-                          {"a derivative of the function upward", "function", point_dy_up},
-                          {"the function told of back faces alone", "function", forget_back_faces}};
+    static const Kind kKinds[] = {
+        {"two bindings swapped", "layered", "normal", swap_bindings},
+        {"a matrix transposed", "layered", "normal", transpose_matrix},
+        {"t flipped", "layered", "normal", flip_t},
+        {"Vulkan's clip space kept", "layered", "normal", keep_clip_space},
+        {"two textures of the function swapped", "layered", "function", swap_arguments},
+        {"t flipped for the function", "layered", "function", flip_given_t},
+        {"a derivative of the function upward", "layered", "function", point_dy_up},
+        {"the function told of back faces alone", "layered", "function", forget_back_faces},
+        {"two attachments swapped", "perforated", "gbuffer", swap_attachments},
+        {"the alpha test turned round", "perforated", "gbuffer", turn_alpha_test},
+        {"the alpha test of depth turned round", "perforated", "depth", turn_alpha_test},
+        {"depth off by a thousandth", "perforated", "depth", push_back},
+        {"Vulkan's range of depth kept", "perforated", "depth", keep_depth_range, true}};
+    const auto shots = shots_of(target);
+    const bool gl = target.language == Language::glsl || target.language == Language::essl;
     std::vector<Mutant> out;
-    for (const auto& [name, entry, make] : kinds) {
-        const auto shots = shots_of(target);
-        if (std::find(shots.begin(), shots.end(), &shown(entry)) == shots.end()) continue;
-        out.push_back({name, &target == &wgsl_recipe() ? wgsl_drawing(sample, shown(entry))
-                                                       : drawing(sample, target, shown(entry))});
-        make(out.back().drawing);
+    for (const Kind& kind : kKinds) {
+        const Shown& what = shown(kind.entry);
+        if (std::find(shots.begin(), shots.end(), &what) == shots.end() || (kind.gl_alone && !gl)) continue;
+        out.push_back({kind.name, &target == &wgsl_recipe() ? wgsl_drawing(sample(kind.sample), what)
+                                                            : drawing(sample(kind.sample), target, what)});
+        kind.make(out.back().drawing);
     }
     return out;
 }

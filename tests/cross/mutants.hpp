@@ -9,8 +9,7 @@ struct Mutant {
     std::string name;
     Drawing drawing;
 };
-// Of a sample with two textures or more; also for wgsl_recipe(). Throws where a text holds no place for a
-// mistake.
-std::vector<Mutant> mutants(const Sample& sample, const target::Target& target);
+// Also for wgsl_recipe(). Throws where a text holds no place for a mistake.
+std::vector<Mutant> mutants(const target::Target& target);
 
 }  // namespace sg::cross

@@ -74,8 +74,18 @@ void interpolate(const Corner (&c)[3], const Weights& weights, SgNumbers& out) {
 }
 
 struct Canvas {
-    Pixels pixels = Pixels(std::size_t{kSide} * kSide * 4);
-    std::vector<double> depth = std::vector<double>(std::size_t{kSide} * kSide, 1.0);
+    std::size_t attachments = 1;
+    Pixels pixels = Pixels(std::max<std::size_t>(attachments, 1) * kPlane);
+    std::vector<double> depth = std::vector<double>(kPlane / 4, 1.0);
+
+    void write(std::size_t pixel, double at_depth, const SgColors& colors, int of_quad) {
+        depth[pixel] = at_depth;
+        for (std::size_t i = 0; i < attachments; ++i)
+            std::copy_n(colors[i][of_quad], 4, &pixels[i * kPlane + 4 * pixel]);
+        if (attachments > 0) return;
+        std::fill_n(&pixels[4 * pixel], 3, static_cast<float>(at_depth));
+        pixels[4 * pixel + 3] = 1;
+    }
 };
 
 void shade_quad(Canvas& canvas, const Corner (&c)[3], int left, int top, bool front,
@@ -91,14 +101,12 @@ void shade_quad(Canvas& canvas, const Corner (&c)[3], int left, int top, bool fr
         interpolate(c, weights, varyings[i]);
     }
     if (std::none_of(std::begin(wanted), std::end(wanted), [](bool w) { return w; })) return;
-    float colors[4][4];
+    SgColors colors;
     bool discarded[4];
     fragment(bindings, varyings, front, colors, discarded);
     for (int i = 0; i < 4; ++i) {
         if (!wanted[i] || discarded[i]) continue;
-        const auto at = static_cast<std::size_t>((top + i / 2) * kWidth + left + i % 2);
-        canvas.depth[at] = depth[i];
-        std::copy_n(colors[i], 4, canvas.pixels.begin() + static_cast<std::ptrdiff_t>(4 * at));
+        canvas.write(static_cast<std::size_t>((top + i / 2) * kWidth + left + i % 2), depth[i], colors, i);
     }
 }
 
@@ -111,15 +119,16 @@ std::pair<int, int> quads(std::int64_t low, std::int64_t high) {
 
 }  // namespace
 
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices,
-                 bool cull_back, const SgBindings& bindings, SgFragmentFunction fragment) {
-    Canvas canvas;
+Pixels rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
+                 const SgBindings& bindings, SgFragmentFunction fragment) {
+    Canvas canvas{drawing.attachments};
+    const std::vector<std::uint32_t>& indices = drawing.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         Corner c[3] = {corner_of(vertices[indices[i]]), corner_of(vertices[indices[i + 1]]),
                        corner_of(vertices[indices[i + 2]])};
         const std::int64_t area = edge(c[0], c[1], c[2].fixed_x, c[2].fixed_y);
         const bool front = area < 0;  // counter-clockwise to the eye, y down
-        if (area == 0 || (cull_back && !front)) continue;
+        if (area == 0 || (drawing.cull_back && !front)) continue;
         if (front) std::swap(c[1], c[2]);
         const auto [x0, x1] = quads(std::min({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}),
                                     std::max({c[0].fixed_x, c[1].fixed_x, c[2].fixed_x}));

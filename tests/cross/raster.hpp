@@ -12,7 +12,8 @@ struct RasterVertex {
     SgNumbers varyings;
 };
 
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const std::vector<std::uint32_t>& indices,
-                 bool cull_back, const SgBindings& bindings, SgFragmentFunction fragment);
+// Attributes and blocks of `drawing` were read before: of it the indices, the culling and the attachments.
+Pixels rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
+                 const SgBindings& bindings, SgFragmentFunction fragment);
 
 }  // namespace sg::cross

@@ -28,23 +28,6 @@ bool is_recipe(const Target& target) {
     return &target == &wgsl_recipe();
 }
 
-// The two stages of every entry point that is not drawn.
-std::vector<ShaderPair> pairs_of(const Sample& sample, const Target& target) {
-    std::vector<ShaderPair> out;
-    if (target.language == Language::spirv) return out;
-    for (const runtime::EntryPoint& entry : sample.artefact.entries) {
-        if (std::any_of(all_shown().begin(), all_shown().end(),
-                        [&](const Shown& s) { return s.name == entry.name; }))
-            continue;
-        auto text = [&](const char* stage) {
-            return sample.texts.at(sample.name + "." + entry.name + "." + stage + "." +
-                                   std::string(target.name) + "." + std::string(target.extension));
-        };
-        out.push_back({text("vert"), text("frag")});
-    }
-    return out;
-}
-
 // The function's caller in Vulkan's GLSL, between the stages that were shipped.
 ShaderWords glsl_to_words(const Drawing& drawing) {
     static const target::ShaderLibrary kLibrary = target::embedded_library();
@@ -65,28 +48,6 @@ void compile_hlsl(const std::vector<Drawing>& drawings) {
     hlsl_refusals(texts);
 }
 
-// "" or a tool's words, by pair.
-std::vector<std::string> refusals_of(const std::vector<ShaderPair>& pairs, const Target& target) {
-    if (pairs.empty()) return {};
-    if (is_web(target)) return webgl_draw({}, pairs).refusals;
-    std::vector<std::string> out, texts;
-    std::vector<HlslText> hlsl;
-    for (const ShaderPair& pair : pairs) {
-        hlsl.push_back({pair.vertex, true});
-        hlsl.push_back({pair.fragment, false});
-        texts.push_back(pair.vertex);
-        texts.push_back(pair.fragment);
-    }
-    if (target.language == Language::glsl || target.language == Language::essl) {
-        for (const ShaderPair& pair : pairs)
-            out.push_back(gl_refusal(pair.vertex, pair.fragment, target.language));
-        return out;
-    }
-    auto single = target.language == Language::hlsl ? hlsl_refusals(hlsl) : metal_refusals(texts);
-    for (std::size_t i = 0; i < single.size(); i += 2) out.push_back(single[i] + single[i + 1]);
-    return out;
-}
-
 // The rows' pictures, of one target; rows that were refused have none.
 void fill_shots(std::vector<Result>& rows, const Target& target,
                 const std::function<Drawing(const Sample&, const Shown&)>& make) {
@@ -102,12 +63,11 @@ void fill_shots(std::vector<Result>& rows, const Target& target,
     auto pictures = draw_all(drawings);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         auto [row, what] = drawn[i];
-        row->shots.push_back({what, {}});
         if (!pictures[i].refusal.empty())
             row->refusal += fmt::format("{}: {}\n", what->name, pictures[i].refusal);
-        else
-            row->shots.back().difference =
-                compare(expected(sample(row->sample), target, *what), pictures[i].pixels, *what);
+        const Pixels& right = expected(sample(row->sample), target, *what);
+        for (std::size_t plane = 0; pictures[i].refusal.empty() && plane < what->planes.size(); ++plane)
+            row->shots.push_back({what, plane, compare(right, pictures[i].pixels, *what, plane)});
     }
 }
 
@@ -133,17 +93,6 @@ std::vector<Result> results_of(const Target& target) {
         fill_recipe(out);
         return out;
     }
-    std::vector<ShaderPair> pairs;
-    for (const Result& row : out) {
-        auto of_sample = pairs_of(sample(row.sample), target);
-        pairs.insert(pairs.end(), of_sample.begin(), of_sample.end());
-    }
-    auto refusals = refusals_of(pairs, target);
-    std::size_t pair = 0;
-    for (Result& row : out) {
-        for (std::size_t k = 0; k < pairs_of(sample(row.sample), target).size(); ++k)
-            row.refusal += refusals.at(pair++);
-    }
     fill_shots(out, target, [&](const Sample& s, const Shown& what) { return drawing(s, target, what); });
     return out;
 }
@@ -165,37 +114,44 @@ std::vector<Result> results_or_refusals(const Target& target) {
 }  // namespace
 
 // HLSL comes back as SPIR-V and runs on the same device with the same inputs: what may differ is the order of
-// about a
-//   hundred additions and multiplications of numbers near 1, each off by 2^-24.
+// about a hundred additions and multiplications of numbers near 1, each off by 2^-24.
+//
 // The others interpolate by themselves (GL with its rows upside down, Metal in our rasteriser). Interpolation
-// in 32-bit
-//   floats is off by some 4 units in the last place. Positions are 4.9 radii from the camera at most, and one
-//   pixel is 0.016 radii wide (30 degrees, 128 pixels): the difference of two of them, a screen derivative,
-//   is off by 4 2^-23 4.9 / 0.016 = 1.5e-4 of itself, and so is the direction of a tangent that follows from
-//   it. Texture coordinates are off by 4 2^-23, which at 10 repeats of 256 texels, with normals that turn by
-//   0.3 from texel to texel, turns the normal by 3.7e-4. Together 5.2e-4. Where the surface turns away from
-//   the eye the determinant of the texture's derivatives is much smaller than the product of their lengths
-//   and the first part grows: ten times as much for the last thousandth of the pixels.
+// in 32-bit floats is off by some 4 units in the last place. Positions are 4.9 radii from the camera at most,
+// and one pixel is 0.016 radii wide (30 degrees, 128 pixels): the difference of two of them, a screen
+// derivative, is off by 4 2^-23 4.9 / 0.016 = 1.5e-4 of itself, and so is the direction of a tangent that
+// follows from it. Texture coordinates are off by 4 2^-23, which at 10 repeats of 256 texels, with normals
+// that turn by 0.3 from texel to texel, turns the normal by 3.7e-4. Together 5.2e-4. Where the surface turns
+// away from the eye the determinant of the texture's derivatives is much smaller than the product of their
+// lengths and the first part grows: ten times as much for the last thousandth of the pixels.
+//
 // Positions are rounded to 1/256 pixel from values with those errors, so a pixel in a thousand may be covered
-// by one
-//   picture alone, and where two rasterisers differ (Metal), a pixel on an edge may be shaded from the
-//   neighbouring facet. Facets turn by 2 pi / 64 around the tube; the frame's derivatives turn with them, and
-//   a gradient of 1/2 moves by 0.05.
+// by one picture alone, and where two rasterisers differ (Metal), a pixel on an edge may be shaded from the
+// neighbouring facet. Facets turn by 2 pi / 64 around the tube; the frame's derivatives turn with them, and a
+// gradient of 1/2 moves by 0.05.
+//
 // WGSL is compared with SwiftShader's own Vulkan, which interpolates the same numbers: as HLSL, but for the y
-// that naga
-//   negates and Chromium's driver negates back, which moves pixels on the outline.
-// All that holds for normals. A gradient g turns the normal by its own change divided by 1 + g^2 or more,
-// which is
-//   how compare() counts it. Radiance follows the normal through the highlight: 1.1 (the light) times F0 V
-//   cos_l (0.9 and 1/4 for a metal) times pi D, which is 1 / alpha^2 at the peak and falls as (1 + x^2)^-2, x
-//   the tangent of the angle over alpha, at most 1.04 / alpha per radian: with the samples' sharpest metal,
-//   roughness 0.4, 1.1 * 0.9 / 4 / 0.16^2 * 1.04 / 0.16 = 63.
+// that naga negates and Chromium's driver negates back, which moves pixels on the outline.
+//
+// All that holds for normals, and for what `gbuffer` holds beside them: numbers up to 1, read from the same
+// textures. A gradient g turns the normal by its own change divided by 1 + g^2 or more, which is how
+// compare() counts it. Radiance follows the normal through the highlight: 1.1 (the light) times F0 V cos_l
+// (0.9 and 1/4 for a metal) times pi D, which is 1 / alpha^2 at the peak and falls as (1 + x^2)^-2, x the
+// tangent of the angle over alpha, at most 1.04 / alpha per radian: with the samples' sharpest metal,
+// roughness 0.4, 1.1 * 0.9 / 4 / 0.16^2 * 1.04 / 0.16 = 63.
+//
+// Depth is linear across a facet: a rasteriser adds two products of a slope and up to 128 pixels. A slope is
+// 0.016 radii times the tangent of the angle between normal and eye, which is below 30 for 99.9 % of what a
+// sphere shows (the rest has a cosine below 1/30), times the 1/2 by which depth grows per radius here; so the
+// products are up to 0.016 30 / 2 128 = 31, and 4 units in their last place 1.5e-5.
 Limit limit_of(const Target& target, const Shown& shown) {
-    constexpr double kRounding = 100.0 / (1 << 24), kInterpolation = 5.2e-4, kFacet = 0.05, kHighlight = 63;
+    constexpr double kRounding = 100.0 / (1 << 24), kInterpolation = 5.2e-4, kFacet = 0.05, kHighlight = 63,
+                     kDepth = 1.5e-5;
     constexpr std::size_t kEdge = std::size_t{kSide} * kSide / 1000;
     const double scale = shown.name == "forward" ? kHighlight : 1;
     const bool same_inputs = target.language == Language::hlsl || target.language == Language::spirv;
     if (same_inputs) return {scale * kRounding, scale * kRounding, is_recipe(target) ? kEdge : 0};
+    if (shown.name == "depth") return {10 * kDepth, kDepth, kEdge};
     if (target.language == Language::msl) return {scale * kFacet, scale * kInterpolation, kEdge};
     return {scale * 10 * kInterpolation, scale * kInterpolation, kEdge};
 }
@@ -206,6 +162,7 @@ Limit limit_of(const Target& target, const Shown& shown) {
 Limit limit_of(const Target& target, const Shown& shown, const Sample& sample) {
     constexpr double kGrazing = 2e-3, kAny = 1e9;
     Limit out = limit_of(target, shown);
+    if (shown.name == "depth") return out;
     const double scale = out.p999 / limit_of(target).p999;
     const bool marches = std::any_of(sample.texts.begin(), sample.texts.end(), [](const auto& text) {
         return text.second.find("sg_parallax_occlusion") != std::string::npos;
@@ -258,9 +215,9 @@ const Pixels& expected(const Sample& sample, const Target& target, const Shown& 
 }
 
 std::vector<const Shown*> shots_of(const Target& target) {
-    std::vector<std::string_view> names = {"normal", "forward", "debug", "function"};
+    std::vector<std::string_view> names = {"normal", "forward", "debug", "function", "gbuffer", "depth"};
     if (target.language == Language::spirv) names = {"function"};
-    if (is_recipe(target)) names = {"normal", "forward"};
+    if (is_recipe(target)) names = {"normal", "forward", "gbuffer", "depth"};
     std::vector<const Shown*> out;
     for (std::string_view name : names) out.push_back(&shown(name));
     return out;
@@ -271,7 +228,7 @@ std::vector<Drawn> draw_all(const std::vector<Drawing>& drawings) {
     const Target& target = *drawings.front().target;
     std::vector<Drawn> out;
     if (is_web(target) || is_recipe(target)) {
-        PageOutcome page = is_web(target) ? webgl_draw(drawings, {}) : wgsl_draw(drawings, {});
+        PageOutcome page = is_web(target) ? webgl_draw(drawings) : wgsl_draw(drawings, {});
         for (std::size_t i = 0; i < drawings.size(); ++i)
             out.push_back({std::move(page.pictures[i]), std::move(page.refusals[i])});
         return out;

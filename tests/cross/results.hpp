@@ -8,9 +8,10 @@
 
 namespace sg::cross {
 
-// How far a picture is from the SPIR-V's.
+// How far a plane of a picture is from the SPIR-V's.
 struct Shot {
     const Shown* shown = nullptr;
+    std::size_t plane = 0;
     Difference difference;
 };
 struct Result {
@@ -21,7 +22,8 @@ struct Result {
     std::vector<Shot> shots;  // in the order of shots_of
 };
 
-// What is drawn in a target: everything; but in WGSL no `debug`, which SwiftShader compiles for long, and
+// What is drawn in a target: everything; but in WGSL no `debug`, which SwiftShader compiles for long (it is
+// compiled by Chromium alone), and
 // nothing without a SPIR-V; of spirv, which the others are compared with, the function alone, in Vulkan's
 // GLSL.
 std::vector<const Shown*> shots_of(const target::Target& target);

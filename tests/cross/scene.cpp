@@ -97,24 +97,38 @@ std::vector<std::byte> bytes_of(const Block& block) {
     return {span.begin(), span.end()};
 }
 
+// Textures lie in the first.
+std::array<fs::path, 2> sample_folders() {
+    return {test::source_dir() / "materials", test::source_dir() / "tests/cross/materials"};
+}
+
+fs::path sample_file(const std::string& name) {
+    for (const fs::path& folder : sample_folders()) {
+        if (fs::exists(folder / (name + ".json"))) return folder / (name + ".json");
+    }
+    throw std::runtime_error("no sample " + name);
+}
+
 }  // namespace
 
 std::vector<std::string> sample_names() {
     std::vector<std::string> out;
-    for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials")) {
-        if (entry.path().extension() == ".json") out.push_back(entry.path().stem().string());
+    for (const fs::path& folder : sample_folders()) {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() == ".json") out.push_back(entry.path().stem().string());
+        }
     }
     std::sort(out.begin(), out.end());
     return out;
 }
 
 Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library) {
-    const fs::path path = test::source_dir() / "materials" / (name + ".json");
+    const fs::path path = sample_file(name), textures_at = sample_folders().front();
     RealFiles disk;
     CompileRequest request;
     request.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)});
     request.stem = name + suffix;
-    request.roots = {path.parent_path()};
+    request.roots = {textures_at};
     request.targets.clear();
     for (const target::Target& target : target::all_targets()) request.targets.push_back(&target);
     Diags diags;
@@ -131,7 +145,7 @@ Sample make_sample(const std::string& name, const std::string& suffix, const tar
     }
     auto artefact = runtime::read_artefact(files, "out/" + out.name + ".json", diags);
     if (!artefact) fail(name, diags);
-    auto textures = runtime::load_textures(disk, *artefact, path.parent_path(), diags);
+    auto textures = runtime::load_textures(disk, *artefact, textures_at, diags);
     auto parameters = runtime::pack_parameters(*artefact, {}, diags);
     if (!textures || !parameters) fail(name, diags);
     // What an anisotropic filter averages is the driver's affair, and no part of the text.
@@ -150,21 +164,43 @@ const Sample& sample(const std::string& name) {
                                : it->second;
 }
 
+namespace {
+
+asset::Image decoded(const TextureView& view) {
+    const asset::Image& image = view.chain->front();
+    asset::Image out = asset::make_image(image.width, image.height, asset::TexelFormat::float32);
+    const std::vector<float> texels = linear_texels(view);
+    std::memcpy(out.bytes.data(), texels.data(), out.bytes.size());
+    return out;
+}
+
+}  // namespace
+
 const Sample& base_sample(const Sample& sample) {
     static std::map<std::string, Sample> samples;
     auto [at, fresh] = samples.try_emplace(sample.name, sample);
     if (fresh) {
         at->second.name += " (level 0)";
-        for (auto& chain : at->second.textures.chains) chain.resize(1);
+        for (std::size_t i = 0; i < sample.textures.chains.size(); ++i) {
+            bool& srgb = at->second.artefact.textures[i].srgb;
+            at->second.textures.chains[i] = {decoded({&sample.textures.chains[i], srgb})};
+            srgb = false;
+        }
     }
     return at->second;
 }
 
 std::span<const Shown> all_shown() {
-    static constexpr Shown kRows[] = {{"normal", "normal", "normal"},
-                                      {"forward", "forward", "lit"},
-                                      {"debug", "debug", "gradient"},
-                                      {"function", "forward", "lit"}};
+    static const Shown kRows[] = {
+        {"normal", "normal", {"normal"}, {"normal"}},
+        {"forward", "forward", {"lit"}, {"radiance"}},
+        {"debug", "debug", {"gradient"}, {"gradient"}},
+        {"function", "forward", {"lit"}, {"normal"}},
+        {"gbuffer",
+         "gbuffer",
+         {"gbuffer:base_color", "gbuffer:normal", "gbuffer:surface", "gbuffer:emission"},
+         {"base colour", "normal", "surface", "emission"}},
+        {"depth", "depth", {"depth"}, {"depth"}}};
     return kRows;
 }
 
@@ -190,7 +226,7 @@ Drawing drawing(const Sample& sample, const target::Target& target, const Shown&
         if (shown.name == "function") call_function(out.fragment.text, sample, target);
     }
     Diags diags;
-    const auto view = runtime::find_view(sample.artefact, shown.view, diags);
+    const auto view = runtime::find_view(sample.artefact, shown.views[0], diags);
     if (!view) fail(sample.name, diags);
     const asset::Instance& instance = scene().content.instances[0];
     auto mesh = runtime::prepare_mesh(scene().content.meshes[0], entry, sample.name, diags);
@@ -213,43 +249,59 @@ Drawing drawing(const Sample& sample, const target::Target& target, const Shown&
     }
     for (const runtime::SamplerSlot& slot : sample.artefact.samplers) out.samplers[slot.binding] = slot.state;
     out.cull_back = !sample.artefact.two_sided;
+    out.attachments = entry.outputs.size();
     return out;
 }
 
-Pixels render_words(const Sample& sample, const ShaderWords& words, const Shown& shown, Driver driver) {
+namespace {
+
+// Each plane by a view of its own.
+Pixels draw_planes(runtime::gpu::Device& device, const Sample& sample, const runtime::Artefact& artefact,
+                   const Shown& shown) {
+    Diags diags;
+    runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
+    auto renderer =
+        runtime::Renderer::create(device, artefact, sample.textures, scene(), options, shown.entry, diags);
+    if (!renderer) fail(sample.name, diags);
+    Pixels out;
+    for (std::string_view name : shown.views) {
+        auto view = runtime::find_view(artefact, name, diags);
+        auto picture = view ? renderer->draw(view->view, diags) : std::nullopt;
+        if (!picture) fail(sample.name, diags);
+        const std::size_t at = out.size();
+        out.resize(at + kPlane);
+        std::memcpy(&out[at], picture->values.bytes.data(), kPlane * sizeof(float));
+    }
+    return out;
+}
+
+}  // namespace
+
+const Pixels& render_words(const Sample& sample, const ShaderWords& words, const Shown& shown,
+                           Driver driver) {
+    static std::map<std::tuple<std::string, std::string_view, Driver, ShaderWords>, Pixels> pictures;
+    auto [at, fresh] = pictures.try_emplace({sample.name, shown.name, driver, words});
+    if (!fresh) return at->second;
     runtime::Artefact artefact = sample.artefact;
     for (runtime::EntryPoint& entry : artefact.entries) {
         if (entry.name != shown.entry) continue;
         entry.vertex.words = words[0];
         entry.fragment.words = words[1];
     }
-    Diags diags;
-    auto view = runtime::find_view(artefact, shown.view, diags);
-    runtime::RenderOptions options{kSide, kSide, 1, 0, sample.parameters};
-    auto draw = [&](runtime::gpu::Device& device) {
-        return runtime::render(device, artefact, sample.textures, scene(), *view, options, diags);
-    };
-    std::optional<runtime::Picture> picture;
     if (driver == Driver::llvmpipe) {
-        picture = draw(llvmpipe());
+        at->second = draw_planes(llvmpipe(), sample, artefact, shown);
     } else {
         runtime::gpu::Device swiftshader =
             make_device("SwiftShader", false);  // ends here: it does not survive the end of the process
-        picture = draw(swiftshader);
+        at->second = draw_planes(swiftshader, sample, artefact, shown);
     }
-    if (!picture) fail(sample.name, diags);
-    Pixels out(std::size_t{kSide} * kSide * 4);
-    std::memcpy(out.data(), picture->values.bytes.data(), out.size() * sizeof(float));
-    return out;
+    return at->second;
 }
 
 const Pixels& reference(const Sample& sample, const Shown& what, Driver driver) {
-    static std::map<std::tuple<std::string, std::string_view, Driver>, Pixels> pictures;
     const Shown& drawn = what.name == "function" ? shown("normal") : what;
-    auto [at, fresh] = pictures.try_emplace({sample.name, drawn.name, driver});
     const runtime::EntryPoint& entry = *sample.artefact.entry(drawn.entry);
-    if (fresh) at->second = render_words(sample, {entry.vertex.words, entry.fragment.words}, drawn, driver);
-    return at->second;
+    return render_words(sample, {entry.vertex.words, entry.fragment.words}, drawn, driver);
 }
 
 std::vector<std::string> validation_messages() {
@@ -280,20 +332,25 @@ std::vector<float> linear_texels(const TextureView& view) {
     return out;
 }
 
-Difference compare(const Pixels& a, const Pixels& b, const Shown& shown) {
+Difference compare(const Pixels& a, const Pixels& b, const Shown& shown, std::size_t plane) {
+    const std::size_t planes = shown.planes.size(), pixels = kPlane / 4;
+    if (a.size() != planes * kPlane || b.size() != a.size())
+        throw std::runtime_error("a picture with another number of planes");
+    const float *last_a = &a[(planes - 1) * kPlane], *last_b = &b[(planes - 1) * kPlane];
     Difference out;
     std::vector<double> errors;
-    for (std::size_t i = 0; i < std::size_t{kSide} * kSide; ++i) {
-        const float *p = &a[4 * i], *q = &b[4 * i];
-        if ((p[3] == 0) != (q[3] == 0)) ++out.one_alone;
-        if (p[3] == 0 || q[3] == 0) continue;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float *p = &a[plane * kPlane + 4 * i], *q = &b[plane * kPlane + 4 * i];
+        const bool in_a = last_a[4 * i + 3] != 0, in_b = last_b[4 * i + 3] != 0;
+        if (in_a != in_b) ++out.one_alone;
+        if (!in_a || !in_b) continue;
         double error = 0;
         for (int c = 0; c < 4; ++c) {
             double d = std::abs(double{p[c]} - double{q[c]});
             error = d <= error ? error : d;  // keeps what is not a number
         }
         const double g2 =
-            shown.view == "gradient" ? double{p[0]} * p[0] + double{p[1]} * p[1] + double{p[2]} * p[2] : 0;
+            shown.name == "debug" ? double{p[0]} * p[0] + double{p[1]} * p[1] + double{p[2]} * p[2] : 0;
         errors.push_back(error / (1 + g2));
     }
     out.both = errors.size();

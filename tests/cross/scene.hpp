@@ -1,5 +1,4 @@
-// One scene and every sample of materials/, compiled for every target: what each API needs to draw it, as
-// plain bytes.
+// One scene and every sample, compiled for every target: what each API needs to draw it, as plain bytes.
 #pragma once
 
 #include <array>
@@ -17,8 +16,10 @@ namespace sg::cross {
 
 constexpr std::uint32_t kSide = 128;  // pixels per side of every picture
 
-// rgba per pixel, upper row first; alpha 0 where nothing was drawn.
+// Planes of rgba per pixel, upper row first: one for each colour attachment, or (depth, depth, depth, 1) of
+// an entry point without any. Alpha of the last plane is 0 where nothing was drawn.
 using Pixels = std::vector<float>;
+constexpr std::size_t kPlane = std::size_t{kSide} * kSide * 4;  // floats
 
 // A row of the manifest: where a target's text has what SPIR-V has at (set, binding).
 struct Slot {
@@ -46,9 +47,10 @@ struct TextureView {
 // What is drawn: a view of an entry point. The entry point `function` shows the normal that it returns, in
 // the stages of `forward`.
 struct Shown {
-    std::string_view name;   // of the entry point
-    std::string_view entry;  // whose stages are drawn
-    std::string_view view;   // of the runtime
+    std::string_view name;                 // of the entry point
+    std::string_view entry;                // whose stages are drawn
+    std::vector<std::string_view> views;   // of the runtime; one for each plane
+    std::vector<std::string_view> planes;  // what each holds
 };
 std::span<const Shown> all_shown();
 const Shown& shown(std::string_view name);
@@ -66,6 +68,7 @@ struct Drawing {
     std::map<std::uint32_t, TextureView> textures;                 // by binding in set 1
     std::map<std::uint32_t, runtime::gpu::SamplerState> samplers;  // by binding in set 1
     bool cull_back = true;
+    std::size_t attachments = 1;  // of colour; 0: depth alone
 };
 
 struct Sample {
@@ -78,11 +81,12 @@ struct Sample {
     std::string manifest;
 };
 
+// Those of materials/ and one of tests/cross/materials, which drops pixels.
 std::vector<std::string> sample_names();
 const Sample& sample(const std::string& name);  // compiled once
 // With another shader library; `suffix` tells it from the plain one.
 Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library);
-// The sample with level 0 of each texture alone.
+// The sample with level 0 of each texture alone, in floats: how a driver decodes sRGB is its own affair.
 const Sample& base_sample(const Sample& sample);
 Drawing drawing(const Sample& sample, const target::Target& target, const Shown& shown = shown("normal"));
 
@@ -91,8 +95,9 @@ using ShaderWords = std::array<std::vector<std::uint32_t>, 2>;
 enum class Driver { llvmpipe, swiftshader };
 const Pixels& reference(const Sample& sample, const Shown& shown = shown("normal"),
                         Driver driver = Driver::llvmpipe);
-Pixels render_words(const Sample& sample, const ShaderWords& words, const Shown& shown = shown("normal"),
-                    Driver driver = Driver::llvmpipe);
+// Drawn once.
+const Pixels& render_words(const Sample& sample, const ShaderWords& words,
+                           const Shown& shown = shown("normal"), Driver driver = Driver::llvmpipe);
 bool has_swiftshader();  // Chromium's, for Vulkan
 // What the validation layers said to all that llvmpipe drew.
 std::vector<std::string> validation_messages();
@@ -108,7 +113,8 @@ struct Difference {
     std::size_t both = 0;       // pixels that both cover
     std::size_t one_alone = 0;  // pixels that one covers and the other does not
 };
-// Gradients g count by 1 / (1 + g^2), in `a`.
-Difference compare(const Pixels& a, const Pixels& b, const Shown& shown = shown("normal"));
+// Of one plane. Gradients g count by 1 / (1 + g^2), in `a`.
+Difference compare(const Pixels& a, const Pixels& b, const Shown& shown = shown("normal"),
+                   std::size_t plane = 0);
 
 }  // namespace sg::cross

@@ -38,7 +38,8 @@ Json drawing_json(const Drawing& drawing, Json& textures) {
     Json out = {{"vertex", drawing.vertex.text},
                 {"fragment", drawing.fragment.text},
                 {"indices", base64(drawing.indices)},
-                {"cull", drawing.cull_back}};
+                {"cull", drawing.cull_back},
+                {"attachments", drawing.attachments}};
     for (const Attribute& a : drawing.attributes) {
         out["attributes"].push_back(
             {{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
@@ -76,14 +77,11 @@ std::string webgl_missing() {
     return kMissing;
 }
 
-PageOutcome webgl_draw(const std::vector<Drawing>& drawings, const std::vector<ShaderPair>& pairs) {
-    Json input = {
-        {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"pairs", Json::array()}};
+PageOutcome webgl_draw(const std::vector<Drawing>& drawings) {
+    Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}};
     for (const Drawing& drawing : drawings)
         input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    for (const ShaderPair& pair : pairs)
-        input["pairs"].push_back({{"vertex", pair.vertex}, {"fragment", pair.fragment}});
-    return run_page(input.dump(), {"bytes.js", "webgl.js"}, kFlags, drawings.size(), pairs.size());
+    return run_page(input.dump(), {"bytes.js", "webgl.js"}, kFlags, drawings.size(), 0);
 }
 
 }  // namespace sg::cross

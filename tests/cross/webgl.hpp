@@ -8,10 +8,7 @@ namespace sg::cross {
 // "" or why there is no such browser here.
 std::string webgl_missing();
 
-struct ShaderPair {
-    std::string vertex, fragment;
-};
-// Pairs are compiled and linked alone. Throws where the browser gives no answer.
-PageOutcome webgl_draw(const std::vector<Drawing>& drawings, const std::vector<ShaderPair>& pairs);
+// Throws where the browser gives no answer.
+PageOutcome webgl_draw(const std::vector<Drawing>& drawings);
 
 }  // namespace sg::cross

@@ -16,16 +16,56 @@ function makeProgram(gl, drawing) {
   return program;
 }
 
-function makeTarget(gl, side) {
+// With that many colour attachments, and the texture that holds the depth, if any.
+function makeTarget(gl, side, attachments, depth) {
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  for (const [format, attachment] of [[gl.RGBA32F, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT32F, gl.DEPTH_ATTACHMENT]]) {
+  const places = [];
+  for (let i = 0; i < attachments; ++i) {
     const buffer = gl.createRenderbuffer();
     gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-    gl.renderbufferStorage(gl.RENDERBUFFER, format, side, side);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA32F, side, side);
+    places.push(gl.COLOR_ATTACHMENT0 + i);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, places[i], gl.RENDERBUFFER, buffer);
   }
+  if (depth) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
+  gl.drawBuffers(places);
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error('no float framebuffer');
   gl.viewport(0, 0, side, side);
+}
+
+function makeDepth(gl, side) {
+  const texture = gl.createTexture();
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT32F, side, side);
+  for (const name of ['TEXTURE_MIN_FILTER', 'TEXTURE_MAG_FILTER']) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.NEAREST);
+  return texture;
+}
+
+// WebGL cannot read depth back: this copies it into colours, with alpha 1 where something was drawn.
+const depthCopy = {
+  vertex: `#version 300 es
+    void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`,
+  fragment: `#version 300 es
+    precision highp float;
+    uniform highp sampler2D depth;
+    out vec4 color;
+    void main() {
+      float d = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).x;
+      color = d < 1.0 ? vec4(d, d, d, 1.0) : vec4(0.0);
+    }`,
+};
+
+function copyDepth(gl, depth, side) {
+  makeTarget(gl, side, 1, null);
+  depthCopy.program ??= makeProgram(gl, depthCopy);
+  gl.useProgram(depthCopy.program);
+  gl.disable(gl.DEPTH_TEST);
+  gl.disable(gl.CULL_FACE);
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, depth);
+  gl.bindSampler(0, null);
+  gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
 function bindVertices(gl, drawing) {
@@ -72,26 +112,35 @@ function bindTexture(gl, program, slot, textures) {
   gl.bindSampler(slot.index, sampler);
 }
 
+// The planes, one after the other.
+function readPlanes(gl, count, side) {
+  const rows = new Float32Array(side * side * 4), pixels = new Float32Array(rows.length * count), width = side * 4;
+  for (let i = 0; i < count; ++i) {
+    gl.readBuffer(gl.COLOR_ATTACHMENT0 + i);
+    gl.readPixels(0, 0, side, side, gl.RGBA, gl.FLOAT, rows);
+    for (let y = 0; y < side; ++y) pixels.set(rows.subarray(y * width, (y + 1) * width), i * rows.length + (side - 1 - y) * width);
+  }
+  return base64Of(new Uint8Array(pixels.buffer));
+}
+
 function draw(gl, drawing, textures, side) {
-  const program = makeProgram(gl, drawing);
-  makeTarget(gl, side);
+  const program = makeProgram(gl, drawing), depth = makeDepth(gl, side);
+  makeTarget(gl, side, drawing.attachments, depth);
   const count = bindVertices(gl, drawing);
   gl.useProgram(program);
   for (const slot of drawing.slots) slot.bytes === undefined ? bindTexture(gl, program, slot, textures) : bindBlock(gl, program, slot);
-  gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+  for (let i = 0; i < drawing.attachments; ++i) gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]);
   gl.clearBufferfv(gl.DEPTH, 0, [1]);
   gl.enable(gl.DEPTH_TEST);
   drawing.cull ? gl.enable(gl.CULL_FACE) : gl.disable(gl.CULL_FACE);
   gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
-  const rows = new Float32Array(side * side * 4), pixels = new Float32Array(rows.length), width = side * 4;
-  gl.readPixels(0, 0, side, side, gl.RGBA, gl.FLOAT, rows);
-  for (let y = 0; y < side; ++y) pixels.set(rows.subarray(y * width, (y + 1) * width), (side - 1 - y) * width);
-  const error = gl.getError();
+  if (drawing.attachments === 0) copyDepth(gl, depth, side);
+  const planes = readPlanes(gl, Math.max(drawing.attachments, 1), side), error = gl.getError();
   if (error !== gl.NO_ERROR) throw new Error('GL error ' + error);
-  return base64Of(new Uint8Array(pixels.buffer));
+  return planes;
 }
 
-function drawAll({side, textures, drawings, pairs}) {
+function drawAll({side, textures, drawings}) {
   const gl = document.createElement('canvas').getContext('webgl2', {antialias: false});
   if (!gl) return ['no WebGL 2'];
   for (const extension of ['EXT_color_buffer_float', 'OES_texture_float_linear']) {
@@ -104,8 +153,7 @@ function drawAll({side, textures, drawings, pairs}) {
       return 'refused: ' + error.message.replace(/\s+/g, ' ');
     }
   };
-  const lines = drawings.map(drawing => tell(() => draw(gl, drawing, textures, side)));
-  return lines.concat(pairs.map(pair => tell(() => (makeProgram(gl, pair), 'accepted'))));
+  return drawings.map(drawing => tell(() => draw(gl, drawing, textures, side)));
 }
 
 document.body.textContent = '\n' + drawAll(input).join('\n') + '\n';

@@ -54,7 +54,11 @@ async function makePipeline(device, drawing, layout) {
   return device.createRenderPipelineAsync({
     layout,
     vertex: {module: await makeModule(device, drawing.vertex), entryPoint: 'main', buffers},
-    fragment: {module: await makeModule(device, drawing.fragment), entryPoint: 'main', targets: [{format: 'rgba32float'}]},
+    fragment: {
+      module: await makeModule(device, drawing.fragment),
+      entryPoint: 'main',
+      targets: Array(drawing.attachments).fill({format: 'rgba32float'}),
+    },
     primitive: {topology: 'triangle-list', frontFace: 'ccw', cullMode: drawing.cull ? 'back' : 'none'},
     depthStencil: {format: 'depth32float', depthWriteEnabled: true, depthCompare: 'less'},
   });
@@ -62,7 +66,7 @@ async function makePipeline(device, drawing, layout) {
 
 function recordDraw(device, encoder, drawing, pipeline, groups, targets) {
   const pass = encoder.beginRenderPass({
-    colorAttachments: [{view: targets.color.createView(), loadOp: 'clear', storeOp: 'store', clearValue: [0, 0, 0, 0]}],
+    colorAttachments: targets.colors.map(c => ({view: c.createView(), loadOp: 'clear', storeOp: 'store', clearValue: [0, 0, 0, 0]})),
     depthStencilAttachment: {view: targets.depth.createView(), depthLoadOp: 'clear', depthStoreOp: 'store', depthClearValue: 1},
   });
   pass.setPipeline(pipeline);
@@ -73,28 +77,40 @@ function recordDraw(device, encoder, drawing, pipeline, groups, targets) {
   pass.end();
 }
 
+// A depth buffer as a plane: (depth, depth, depth, 1), or zeros where nothing was drawn.
+function planeOfDepth(depths) {
+  const plane = new Float32Array(depths.length * 4);
+  depths.forEach((d, i) => { if (d < 1) plane.set([d, d, d, 1], 4 * i); });
+  return new Uint8Array(plane.buffer);
+}
+
 async function draw(device, drawing, textures, side) {
   device.pushErrorScope('validation');
   const {layout, groups} = makeGroups(device, drawing, textures);
   const pipeline = await makePipeline(device, drawing, layout);
   const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC, size = [side, side];
-  const color = device.createTexture({size, format: 'rgba32float', usage});
+  const colors = Array.from({length: drawing.attachments}, () => device.createTexture({size, format: 'rgba32float', usage}));
   const depth = device.createTexture({size, format: 'depth32float', usage});
   const encoder = device.createCommandEncoder();
-  recordDraw(device, encoder, drawing, pipeline, groups, {color, depth});
-  const buffer = device.createBuffer({size: side * side * 16, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ});
-  encoder.copyTextureToBuffer({texture: color}, {buffer, bytesPerRow: side * 16}, size);
+  recordDraw(device, encoder, drawing, pipeline, groups, {colors, depth});
+  const buffer = device.createBuffer({size: side * side * 16 * Math.max(colors.length, 1), usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ});
+  colors.forEach((texture, i) => encoder.copyTextureToBuffer({texture}, {buffer, offset: side * side * 16 * i, bytesPerRow: side * 16}, size));
+  if (colors.length === 0) encoder.copyTextureToBuffer({texture: depth, aspect: 'depth-only'}, {buffer, bytesPerRow: side * 4}, size);
   device.queue.submit([encoder.finish()]);
   const error = await device.popErrorScope();
   if (error) throw new Error(error.message);
   await buffer.mapAsync(GPUMapMode.READ);
-  return base64Of(new Uint8Array(buffer.getMappedRange()));
+  const bytes = buffer.getMappedRange();
+  return base64Of(colors.length === 0 ? planeOfDepth(new Float32Array(bytes, 0, side * side)) : new Uint8Array(bytes));
 }
 
 async function drawAll({side, textures, drawings, modules}) {
   const adapter = navigator.gpu && await navigator.gpu.requestAdapter();
   if (!adapter) return ['no WebGPU'];
-  const device = await adapter.requestDevice({requiredFeatures: ['float32-filterable']});
+  const device = await adapter.requestDevice({
+    requiredFeatures: ['float32-filterable'],
+    requiredLimits: {maxColorAttachmentBytesPerSample: 64},  // of four attachments of floats
+  });
   const tell = async work => {
     try {
       return await work();

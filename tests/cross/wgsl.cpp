@@ -63,7 +63,8 @@ Json drawing_json(const Drawing& drawing, Json& textures) {
     Json out = {{"vertex", drawing.vertex.text},
                 {"fragment", drawing.fragment.text},
                 {"indices", base64(drawing.indices)},
-                {"cull", drawing.cull_back}};
+                {"cull", drawing.cull_back},
+                {"attachments", drawing.attachments}};
     for (const Attribute& a : drawing.attributes) {
         out["attributes"].push_back(
             {{"location", a.location}, {"components", a.components}, {"values", base64(a.values)}});
@@ -123,7 +124,7 @@ std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) 
     }
     for (const auto& [name, shader] : written(sample)) {
         const std::string entry = name.substr(0, name.find('.'));
-        if (entry != "normal" && entry != "forward") texts.push_back(shader.text);
+        if (entry == "debug") texts.push_back(shader.text);
     }
     return "";
 }

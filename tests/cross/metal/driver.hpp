@@ -21,6 +21,7 @@ using SgNumbers = float[16][4];  // by location
 // One vertex: attributes in, varyings and the clip position out.
 using SgVertexFunction = void (*)(const SgBindings& bindings, const SgNumbers& attributes,
                                   SgNumbers& varyings, float (&position)[4]);
-// Four pixels, left to right, then down: varyings in, colours out.
+// Four pixels, left to right, then down: varyings in; colours out, by attachment and pixel.
+using SgColors = float[4][4][4];
 using SgFragmentFunction = void (*)(const SgBindings& bindings, const SgNumbers (&varyings)[4], bool front,
-                                    float (&colors)[4][4], bool (&discarded)[4]);
+                                    SgColors& colors, bool (&discarded)[4]);
