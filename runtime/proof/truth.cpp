@@ -144,7 +144,7 @@ ir::PixelInputs Truth::inputs(dvec3 point, dvec2 pixel, dvec3 sight) const {
 }
 
 // A diamond of points: each stage needs the neighbours of those that the next one needs.
-dvec3 Truth::displaced_normal(const Square& square, bool held) {
+dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
     const int reach = static_cast<int>(stages_.size()), side = 2 * reach + 1;
     const auto index = [&](int x, int y) { return static_cast<std::size_t>((y + reach) * side + x + reach); };
     const auto count = static_cast<std::size_t>(side * side);
@@ -181,6 +181,7 @@ dvec3 Truth::displaced_normal(const Square& square, bool held) {
             }
         }
     }
+    moved = glm::length(points[index(0, 0)]);
     const dvec3 out = normals[index(0, 0)];
     return flips_ && square.facing < 0 ? -out : out;
 }
@@ -190,8 +191,8 @@ TrueNormal Truth::at(dvec3 point, dvec2 pixel, dvec3 sight, bool held) {
     TrueNormal out;
     const bool turned = (mirrors_ || flips_) && square.facing < 0;
     out.base = (turned ? -1.0 : 1.0) * glm::normalize(normal_from_object_ * square.middle.normal);
-    out.normal = displaced_normal(square, false);
-    if (held) out.held = displaced_normal(square, true);
+    out.normal = displaced_normal(square, false, out.moved);
+    if (held) out.held = displaced_normal(square, true, out.moved);
     return out;
 }
 

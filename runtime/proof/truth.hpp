@@ -38,6 +38,7 @@ struct TrueNormal {
     glm::dvec3 normal{0};  // of the displaced surface
     glm::dvec3 held{0};    // the same with all weights held constant: without the terms H grad w
     glm::dvec3 base{0};    // of the smooth surface, towards the visible side if two-sided
+    double moved = 0;      // how far the surface was displaced there, world units
 };
 
 class Truth {
@@ -60,7 +61,8 @@ private:
     struct Square;
     [[nodiscard]] ir::PixelInputs inputs_at(const Square& square, const runtime::Foot& foot) const;
     [[nodiscard]] Square square_at(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight) const;
-    glm::dvec3 displaced_normal(const Square& square, bool held);
+    // moved: becomes the distance by which the middle was displaced.
+    glm::dvec3 displaced_normal(const Square& square, bool held, double& moved);
 
     const ir::Module& module_;
     Heights heights_;

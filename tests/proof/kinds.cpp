@@ -23,25 +23,30 @@ dvec2 height_slope(dvec2 c) {
     return {2 * a + b, a - 3 * b};
 }
 
-// The torus of the built-in shapes.
+// The torus of the built-in shapes, its axes stretched by factors.
 struct TorusPoint {
-    dvec3 normal, along_s, along_t;  // dP/ds, dP/dt
+    dvec3 normal, along_s, along_t;  // unit; dP/ds, dP/dt
 };
-TorusPoint torus(dvec2 st) {
+TorusPoint torus(dvec2 st, dvec3 stretch) {
     const double a = kTau * (st.x - 0.5), b = kTau * (0.5 - st.y), ring = 1 + 0.4 * std::cos(b);
-    return {{std::cos(b) * std::sin(a), std::sin(b), std::cos(b) * std::cos(a)},
-            kTau * ring * dvec3(std::cos(a), 0, -std::sin(a)),
-            -kTau * 0.4 * dvec3(-std::sin(b) * std::sin(a), std::cos(b), -std::sin(b) * std::cos(a))};
+    return {
+        glm::normalize(dvec3(std::cos(b) * std::sin(a), std::sin(b), std::cos(b) * std::cos(a)) / stretch),
+        kTau * ring * dvec3(std::cos(a), 0, -std::sin(a)) * stretch,
+        -kTau * 0.4 * dvec3(-std::sin(b) * std::sin(a), std::cos(b), -std::sin(b) * std::cos(a)) * stretch};
 }
 
 // Slopes along the unit directions of +s and +t on the torus; on uv set 1 these have changed places.
-dvec2 torus_slope(dvec2 c) {
-    const TorusPoint p = torus(c);
-    return height_slope(c) / dvec2(glm::length(p.along_s), glm::length(p.along_t));
+auto torus_slope(dvec3 stretch) {
+    return [stretch](dvec2 c) {
+        const TorusPoint p = torus(c, stretch);
+        return height_slope(c) / dvec2(glm::length(p.along_s), glm::length(p.along_t));
+    };
 }
-dvec2 torus_slope_1(dvec2 c) {
-    const TorusPoint p = torus({c.y, c.x});
-    return height_slope(c) / dvec2(glm::length(p.along_t), glm::length(p.along_s));
+auto torus_slope_1(dvec3 stretch) {
+    return [stretch](dvec2 c) {
+        const TorusPoint p = torus({c.y, c.x}, stretch);
+        return height_slope(c) / dvec2(glm::length(p.along_t), glm::length(p.along_s));
+    };
 }
 
 dvec4 stored(dvec3 v) {
@@ -53,12 +58,25 @@ Texel normal_of(std::function<dvec2(dvec2)> slope) {
 Texel derivative_of(std::function<dvec2(dvec2)> slope) {
     return [slope](dvec2 c) { return stored(dvec3(slope(c) / 4.0, 0)); };
 }
-dvec4 object_normal(dvec2 c) {
-    const TorusPoint p = torus(c);
-    const dvec2 d = height_slope(c);
-    const dvec3 g =
-        d.x * p.along_s / glm::dot(p.along_s, p.along_s) + d.y * p.along_t / glm::dot(p.along_t, p.along_t);
-    return stored(glm::normalize(p.normal - g));
+// Object space is before the stretch, to which normals come back by its transpose.
+Texel object_normal(dvec3 stretch) {
+    return [stretch](dvec2 c) {
+        const TorusPoint p = torus(c, stretch);
+        const dvec2 d = height_slope(c);
+        const dvec3 g = d.x * p.along_s / glm::dot(p.along_s, p.along_s) +
+                        d.y * p.along_t / glm::dot(p.along_t, p.along_t);
+        return stored(glm::normalize(stretch * (p.normal - g)));
+    };
+}
+// What the maps of slopes on the torus hold.
+Texel torus_normals(dvec3 stretch) {
+    return normal_of(torus_slope(stretch));
+}
+Texel torus_normals_1(dvec3 stretch) {
+    return normal_of(torus_slope_1(stretch));
+}
+Texel torus_derivatives(dvec3 stretch) {
+    return derivative_of(torus_slope(stretch));
 }
 Texel heights() {
     return [](dvec2 c) { return dvec4(test_height(c)); };
@@ -88,27 +106,18 @@ void add_uv_kinds(std::vector<KindCase>& out) {
                    torus_shape,
                    plain_map("height", R"("kind": "height_map", "uv": 1)"),
                    {{"map", heights()}}});
+    // Maps of slopes: what they hold depends on how the torus is stretched.
+    auto add = [&](const std::string& name, const std::string& material, Texel (*map)(dvec3)) {
+        KindCase c{name, torus_shape, material, {{"map", map(dvec3(1))}}, {{"map", 1}}};
+        c.stretched = map;
+        out.push_back(c);
+    };
     const std::string map = R"("kind": "normal_map")";
-    out.push_back({"normal_map",
-                   torus_shape,
-                   map_material("tangent_normal", map),
-                   {{"map", normal_of(torus_slope)}},
-                   {{"map", 1}}});
-    out.push_back({"normal_map_on_uv1",
-                   torus_shape,
-                   map_material("tangent_normal", map + R"(, "uv": 1)"),
-                   {{"map", normal_of(torus_slope_1)}},
-                   {{"map", 1}}});
-    out.push_back({"normal_map_from_the_vertex",
-                   torus_shape,
-                   map_material("tangent_normal", map + R"(, "basis": "vertex")"),
-                   {{"map", normal_of(torus_slope)}},
-                   {{"map", 1}}});
-    out.push_back({"normal_map_of_two_channels",
-                   torus_shape,
-                   map_material("tangent_normal_xy", map),
-                   {{"map", normal_of(torus_slope)}},
-                   {{"map", 1}}});
+    add("normal_map", map_material("tangent_normal", map), torus_normals);
+    add("normal_map_on_uv1", map_material("tangent_normal", map + R"(, "uv": 1)"), torus_normals_1);
+    add("normal_map_from_the_vertex", map_material("tangent_normal", map + R"(, "basis": "vertex")"),
+        torus_normals);
+    add("normal_map_of_two_channels", map_material("tangent_normal_xy", map), torus_normals);
     // Displacement: the map's slope is per texel, its height of kSide texels has the length kSide "$h".
     out.push_back({"normal_map_as_displacement",
                    torus_shape,
@@ -116,16 +125,10 @@ void add_uv_kinds(std::vector<KindCase>& out) {
                    {{"map", normal_of(height_slope)}},
                    {{"map", kSide}},
                    1 / kSide});
-    out.push_back({"derivative_map",
-                   torus_shape,
-                   plain_map("derivative", R"("kind": "derivative_map")", R"(, "green": "down", "range": 4)"),
-                   {{"map", derivative_of(torus_slope)}},
-                   {{"map", 1}}});
-    out.push_back({"object_normal_map",
-                   torus_shape,
-                   plain_map("object_normal", R"("kind": "object_normal_map")"),
-                   {{"map", object_normal}},
-                   {{"map", 1}}});
+    add("derivative_map",
+        plain_map("derivative", R"("kind": "derivative_map")", R"(, "green": "down", "range": 4)"),
+        torus_derivatives);
+    add("object_normal_map", plain_map("object_normal", R"("kind": "object_normal_map")"), object_normal);
 }
 
 void add_volume_kinds(std::vector<KindCase>& out) {
@@ -250,7 +253,8 @@ std::string plain_json(const KindCase& c) {
 
 }  // namespace
 
-std::map<std::string, Texel> textures_of(const KindCase& c) {
+std::map<std::string, Texel> textures_of(const KindCase& c, dvec3 stretch) {
+    if (c.stretched) return {{"map", c.stretched(stretch)}};
     if (!c.decal) return c.textures;
     Subject plain(plain_json(c));
     return {{"map", decal_texture(projector_of(plain), c.name == "decal_sphere")}};
