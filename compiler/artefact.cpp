@@ -7,6 +7,7 @@
 #include "base/files.hpp"
 #include "base/ice.hpp"
 #include "function_manifest.hpp"
+#include "host_manifest.hpp"
 
 namespace sg {
 namespace {
@@ -156,7 +157,10 @@ Json parameter_block_json(const ArtefactInput& input) {
         row["unit"] = p.unit;
         parameters.push_back(row);
     }
-    return {{"set", 1}, {"binding", 0}, {"size", input.interface->block_size}, {"parameters", parameters}};
+    Json out = {
+        {"set", 1}, {"binding", 0}, {"size", input.interface->block_size}, {"parameters", parameters}};
+    out.update(Json::parse(host_json(*input.module, *input.material, *input.interface)));
+    return out;
 }
 
 Json textures_json(const ArtefactInput& input) {

@@ -34,6 +34,7 @@ struct ArtefactInput {
     std::string source_file;  // name without folders
     std::string source_hash;
     const material::CheckedMaterial* material = nullptr;
+    const ir::Module* module = nullptr;  // as emitted
     const emit::MaterialInterface* interface = nullptr;
     const std::vector<material::SamplerDecl>* samplers = nullptr;  // by group
     const std::vector<CompiledEntry>* entries = nullptr;

@@ -119,8 +119,8 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     }
     if (diags.error_count() != before) return std::nullopt;
     std::string file = std::filesystem::path(request.source->name).filename().string();
-    out.files = artefact_files({request.stem, file, content_hash(request.source->text), &*checked, &interface,
-                                &samplers.settings, &entries, function ? &*function : nullptr,
+    out.files = artefact_files({request.stem, file, content_hash(request.source->text), &*checked, &optimised,
+                                &interface, &samplers.settings, &entries, function ? &*function : nullptr,
                                 ships(request, target::Language::spirv)});
     return out;
 }

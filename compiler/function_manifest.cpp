@@ -40,8 +40,13 @@ Json parameters_json(const std::string& type, const material::CheckedMaterial& m
                      const emit::MaterialInterface& interface) {
     Json members = Json::array();
     for (std::size_t i = 0; i < interface.parameters.size(); ++i) {
-        members.push_back(
-            {{"name", interface.parameters[i].member}, {"parameter", material.parameters[i].name}});
+        Json row = {{"name", interface.parameters[i].member}};
+        if (i < interface.first_derived) {
+            row["parameter"] = material.parameters[i].name;
+        } else {
+            row["derived"] = i - interface.first_derived;
+        }
+        members.push_back(std::move(row));
     }
     return {{"type", type}, {"members", members}};
 }

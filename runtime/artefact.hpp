@@ -12,6 +12,7 @@
 
 #include "base/diag.hpp"
 #include "base/files.hpp"
+#include "runtime/expression.hpp"
 #include "runtime/gpu/sampler_state.hpp"
 
 namespace sg::runtime {
@@ -63,9 +64,17 @@ struct Parameter {
     std::vector<float> initial;  // 1 to 4 numbers, as the type says
     std::optional<std::array<double, 2>> range;
 };
+// Numbers that are computed from the parameters whenever one of them changes.
+struct DerivedParameter {
+    std::size_t offset = 0;
+    std::size_t count = 1;  // of numbers
+    Expression expression;
+};
 struct ParameterBlock {
     std::size_t size = 0;  // bytes, a multiple of 16
     std::vector<Parameter> parameters;
+    std::vector<Expression> steps;  // each may use the earlier ones
+    std::vector<DerivedParameter> derived;
 };
 
 struct TextureSlot {

@@ -60,6 +60,7 @@ public:
         fail(fmt::format("is '{}', expected {}", printable(*word), one_of(words)));
         return 0;
     }
+    [[nodiscard]] bool is_number() const { return value_ != nullptr && value_->kind == json::Kind::number; }
     [[nodiscard]] bool is_array() const { return value_ != nullptr && value_->kind == json::Kind::array; }
     [[nodiscard]] std::vector<Node> items() const {
         std::vector<Node> out;
@@ -109,26 +110,26 @@ void read_stages(const Node& node, EntryPoint& entry) {
 }
 
 VertexInput read_input(const Node& node) {
-    struct Known {
+    struct KnownInput {
         std::string_view name;
         std::uint32_t location, components;
     };
-    static constexpr std::array<Known, 12> kKnown = {{{"position", 0, 3},
-                                                      {"normal", 1, 3},
-                                                      {"tangent", 2, 4},
-                                                      {"color", 3, 4},
-                                                      {"uv0", 4, 2},
-                                                      {"uv1", 5, 2},
-                                                      {"uv2", 6, 2},
-                                                      {"uv3", 7, 2},
-                                                      {"uv4", 8, 2},
-                                                      {"uv5", 9, 2},
-                                                      {"uv6", 10, 2},
-                                                      {"uv7", 11, 2}}};
+    static constexpr std::array<KnownInput, 12> kKnown = {{{"position", 0, 3},
+                                                           {"normal", 1, 3},
+                                                           {"tangent", 2, 4},
+                                                           {"color", 3, 4},
+                                                           {"uv0", 4, 2},
+                                                           {"uv1", 5, 2},
+                                                           {"uv2", 6, 2},
+                                                           {"uv3", 7, 2},
+                                                           {"uv4", 8, 2},
+                                                           {"uv5", 9, 2},
+                                                           {"uv6", 10, 2},
+                                                           {"uv7", 11, 2}}};
     static constexpr std::array<std::string_view, 3> kFormats = {"float2", "float3", "float4"};
     VertexInput input{node.at("name").text_or_empty(), node.at("location").integer(0, 11),
                       static_cast<std::uint32_t>(node.at("format").choice(kFormats)) + 2};
-    for (const Known& known : kKnown) {
+    for (const KnownInput& known : kKnown) {
         if (known.name != input.name) continue;
         if (known.location != input.location || known.components != input.components) {
             node.fail(fmt::format("must be float{} at location {}", known.components, known.location));
@@ -204,6 +205,107 @@ Parameter read_parameter(const Node& node, std::size_t block_size) {
     return parameter;
 }
 
+// What an expression may refer to.
+struct Known {
+    std::vector<std::string> parameters;
+    std::vector<std::size_t> parameter_counts;
+    std::vector<std::size_t> step_counts;
+};
+
+Expression read_reference(const Node& node, const Known& known) {
+    Expression out;
+    const std::string text = node.text_or_empty();
+    if (text.starts_with('$')) {
+        auto at = std::find(known.parameters.begin(), known.parameters.end(), text.substr(1));
+        out.index = static_cast<std::size_t>(at - known.parameters.begin());
+        out.kind = Expression::Kind::parameter;
+        if (at != known.parameters.end()) return out;
+    }
+    for (out.index = 0; out.index < known.step_counts.size(); ++out.index) {
+        out.kind = Expression::Kind::step;
+        if (text == fmt::format("#{}", out.index)) return out;
+    }
+    node.fail(
+        fmt::format("is '{}', neither '$' with a parameter nor '#' with an earlier step", printable(text)));
+    return {};
+}
+
+Expression read_expression(const Node& node, const Known& known);
+
+// [word, operand...], ["channel", vector, number] or ["rgb", vector]
+Expression read_call(const std::vector<Node>& items, const Known& known) {
+    std::vector<std::string_view> words;
+    for (const ExpressionWord& row : expression_words()) words.push_back(row.word);
+    words.insert(words.end(), {"channel", "rgb"});
+    Expression out{.kind = Expression::Kind::word, .index = items[0].choice(words)};
+    const std::size_t own = expression_words().size();
+    const std::size_t operands = out.index < own ? expression_words()[out.index].operands : 1;
+    const bool channel = out.index == own;
+    if (items.size() != operands + (channel ? 2 : 1)) {
+        items[0].fail(fmt::format("must have {} behind it", operands + (channel ? 1 : 0)));
+        return {};
+    }
+    if (out.index >= own) out.kind = channel ? Expression::Kind::channel : Expression::Kind::rgb;
+    if (channel) out.index = items[2].integer(0, 3);
+    for (std::size_t i = 1; i <= operands; ++i) out.operands.push_back(read_expression(items[i], known));
+    return out;
+}
+
+Expression read_expression(const Node& node, const Known& known) {
+    constexpr double kMax = 1e300;
+    if (node.is_number()) return {.numbers = {{node.number(-kMax, kMax)}, 1}};
+    if (!node.is_array()) return read_reference(node, known);
+    const std::vector<Node> items = node.items();
+    if (items.empty() || items.size() > 4) {
+        node.fail("must hold one to four values");
+        return {};
+    }
+    if (!items[0].is_number()) return read_call(items, known);
+    Expression out;
+    out.numbers.count = items.size();
+    for (std::size_t i = 0; i < items.size(); ++i) out.numbers.at[i] = items[i].number(-kMax, kMax);
+    return out;
+}
+
+// The expression and how many numbers it gives.
+std::pair<Expression, std::size_t> read_counted(const Node& node, const Known& known) {
+    Expression out = read_expression(node, known);
+    const std::size_t count = expression_count(out, known.parameter_counts, known.step_counts);
+    if (count == 0) node.fail("mixes vectors of different lengths");
+    return {std::move(out), std::max<std::size_t>(count, 1)};
+}
+
+void read_derived(const Node& node, ParameterBlock& block) {
+    static constexpr std::array<std::string_view, 5> kTypes = {"float", "vec2", "vec3", "vec4", "color"};
+    static constexpr std::array<std::size_t, 5> kComponents = {1, 2, 3, 4, 3};
+    Known known;
+    for (const Parameter& parameter : block.parameters) {
+        known.parameters.push_back(parameter.name);
+        known.parameter_counts.push_back(parameter.initial.size());
+    }
+    if (node.has("steps")) {
+        for (const Node& step : node.at("steps").items()) {
+            auto [expression, count] = read_counted(step, known);
+            block.steps.push_back(std::move(expression));
+            known.step_counts.push_back(count);
+        }
+    }
+    if (!node.has("derived")) return;
+    for (const Node& row : node.at("derived").items()) {
+        DerivedParameter derived;
+        derived.count = kComponents[row.at("type").choice(kTypes)];
+        derived.offset = row.at("offset").integer(0, 1u << 16);
+        if (derived.offset % sizeof(float) != 0 ||
+            derived.offset + derived.count * sizeof(float) > block.size)
+            row.fail("lies outside its block");
+        auto [expression, count] = read_counted(row.at("expression"), known);
+        if (count != 1 && count != derived.count)
+            row.fail(fmt::format("is of {} numbers, expected {}", count, derived.count));
+        derived.expression = std::move(expression);
+        block.derived.push_back(std::move(derived));
+    }
+}
+
 ParameterBlock read_block(const Node& node) {
     ParameterBlock block;
     if (node.at("set").integer(0, 2) != 1 || node.at("binding").integer(0, kMaxBinding) != 0) {
@@ -213,6 +315,7 @@ ParameterBlock read_block(const Node& node) {
     for (const Node& parameter : node.at("parameters").items()) {
         block.parameters.push_back(read_parameter(parameter, block.size));
     }
+    read_derived(node, block);
     return block;
 }
 

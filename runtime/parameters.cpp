@@ -64,7 +64,36 @@ std::optional<std::vector<float>> values_of(const Parameter& parameter, std::str
     return out;
 }
 
+// Behind all settings: what depends on them.
+void store_derived(std::vector<std::byte>& bytes, const ParameterBlock& block) {
+    std::vector<Numbers> parameters;
+    for (const Parameter& parameter : block.parameters) {
+        Numbers values{.count = parameter.initial.size()};
+        for (std::size_t i = 0; i < values.count; ++i) {
+            float number = 0;
+            std::memcpy(&number, bytes.data() + parameter.offset + i * sizeof(float), sizeof(float));
+            values.at[i] = double{number};
+        }
+        parameters.push_back(values);
+    }
+    const std::vector<Numbers> derived = derived_numbers(block, parameters);
+    for (std::size_t k = 0; k < derived.size(); ++k) {
+        for (std::size_t i = 0; i < block.derived[k].count; ++i) {
+            const float number = stored(derived[k][i]);
+            std::memcpy(bytes.data() + block.derived[k].offset + i * sizeof(float), &number, sizeof(float));
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<Numbers> derived_numbers(const ParameterBlock& block, std::span<const Numbers> parameters) {
+    std::vector<Numbers> steps, out;
+    for (const Expression& step : block.steps) steps.push_back(evaluate(step, parameters, steps));
+    for (const DerivedParameter& derived : block.derived)
+        out.push_back(evaluate(derived.expression, parameters, steps));
+    return out;
+}
 
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
     std::vector<double> out;
@@ -105,6 +134,7 @@ std::optional<std::vector<std::byte>> pack_parameters(const Artefact& artefact,
         ok = ok && values;
     }
     if (!ok) return std::nullopt;
+    if (artefact.parameters) store_derived(block, *artefact.parameters);
     return block;
 }
 

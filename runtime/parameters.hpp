@@ -18,6 +18,9 @@ namespace sg::runtime {
 std::optional<std::vector<std::byte>> pack_parameters(const Artefact& artefact,
                                                       std::span<const std::string> settings, Diags& diags);
 
+// What follows from the parameters, one entry per derived parameter of the block.
+std::vector<Numbers> derived_numbers(const ParameterBlock& block, std::span<const Numbers> parameters);
+
 // Numbers separated by commas, all finite, nothing else around them; none if the text is anything else.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
 

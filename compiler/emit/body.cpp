@@ -23,6 +23,7 @@ bool is_trivial(const Value& value) {
         case ir::Op::vertex_tangent:
         case ir::Op::constant:
         case ir::Op::parameter:
+        case ir::Op::derived:
         case ir::Op::vertex_color:
         case ir::Op::splat:
         case ir::Op::color:
@@ -143,6 +144,8 @@ std::string Body::attribute(const Value& value) const {
             return fmt::format("{}", value.index);
         case Attribute::Parameter:
             return "sg_material." + material_.parameters[value.index].member;
+        case Attribute::Derived:
+            return "sg_material." + material_.parameters[material_.first_derived + value.index].member;
         case Attribute::Zero:
             return float_literal(value.number[0]);
         case Attribute::Number: {

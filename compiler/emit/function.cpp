@@ -160,19 +160,15 @@ std::vector<FunctionResource> resources_of(const ir::Module& module, const Mater
 }
 
 bool reads_parameters(const ir::Module& module) {
-    return std::any_of(module.values.begin(), module.values.end(), [](const ir::Value& value) {
-        return ir::info(value.op).attribute == ir::Attribute::Parameter;
-    });
+    return std::any_of(module.values.begin(), module.values.end(),
+                       [](const ir::Value& value) { return reads_block(ir::info(value.op).attribute); });
 }
 
-std::string parameters_text(const ir::Module& module, const MaterialInterface& material,
-                            const std::string& type) {
+std::string parameters_text(const MaterialInterface& material, const std::string& type) {
     if (type.empty()) return "";
     std::string out = fmt::format("struct {} {{\n", type);
-    for (std::size_t i = 0; i < material.parameters.size(); ++i) {
-        out += fmt::format("    {} {};\n", ir::info(module.parameters[i].type).glsl,
-                           material.parameters[i].member);
-    }
+    for (const ParameterSlot& slot : material.parameters)
+        out += fmt::format("    {} {};\n", ir::info(slot.type).glsl, slot.member);
     return out + "};\n\n";
 }
 
@@ -304,7 +300,7 @@ MaterialFunction emit_function(const ir::Module& module, const MaterialInterface
     out.comment = comment_of(module, out);
     for (std::string_view include : body.includes()) out.text += fmt::format("#include \"{}\"\n", include);
     out.text += "\n" + with_suffix(user, names, out.suffix) + shared_types() +
-                parameters_text(module, material, out.parameters_type);
+                parameters_text(material, out.parameters_type);
     out.text += fmt::format("SgMaterialResult {}({}) {{\n{}}}\n", out.name, arguments(out, true), lines);
     out.caller = caller_of(out);
     return out;

@@ -51,20 +51,14 @@ std::string vertex_value(const Varying& v) {
 
 // ---- fragment ----
 
-std::string glsl_type(ir::Type type) {
-    return std::string(ir::info(type).glsl);
-}
-
 // `used_parameters`: whether the block is read at all.
-std::string material_declarations(const ir::Module& module, const MaterialInterface& material,
-                                  bool used_parameters, const std::vector<bool>& sampled) {
+std::string material_declarations(const MaterialInterface& material, bool used_parameters,
+                                  const std::vector<bool>& sampled) {
     std::string out;
     if (used_parameters) {
         out += "layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {\n";
-        for (std::size_t i = 0; i < material.parameters.size(); ++i) {
-            out += fmt::format("    {} {};\n", glsl_type(module.parameters[i].type),
-                               material.parameters[i].member);
-        }
+        for (const ParameterSlot& slot : material.parameters)
+            out += fmt::format("    {} {};\n", ir::info(slot.type).glsl, slot.member);
         out += "} sg_material;\n";
     }
     std::vector<bool> samplers(material.samplers.size(), false);
@@ -176,7 +170,7 @@ Used used_by(const ir::Module& module) {
     used.textures.assign(module.textures.size(), false);
     for (const ir::Value& value : module.values) {
         ir::Attribute attribute = ir::info(value.op).attribute;
-        if (attribute == ir::Attribute::Parameter) used.parameters = true;
+        used.parameters |= reads_block(attribute);
         std::string_view include = ir::info(value.op).include;
         bool moved = include == "stage/moved.glsl";
         used.frame_block |= value.op == Op::time || include == "stage/view.glsl" || moved;
@@ -252,7 +246,7 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
         const ir::Shader& file = module.shaders[shader];
         text += fmt::format("// {}\n{}\n", comment_text(file.file), file.text);
     }
-    std::string declarations = material_declarations(module, material, used.parameters, used.textures);
+    std::string declarations = material_declarations(material, used.parameters, used.textures);
     if (!declarations.empty()) text += declarations + "\n";
     for (const Varying& v : out.interface.varyings) {
         text += fmt::format("layout(location = {}) in {} sg_in_{};\n", varying_location(v),

@@ -43,12 +43,15 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
     MaterialInterface out;
     Names members, variables;
     std::uint32_t offset = 0;
-    for (const ir::Parameter& parameter : module.parameters) {
-        Std140 layout = std140(parameter.type);
+    auto add = [&](std::string_view prefix, const std::string& name, ir::Type type) {
+        Std140 layout = std140(type);
         offset = align(offset, layout.alignment);
-        out.parameters.push_back({members.unique("p_", parameter.name), parameter.type, offset});
+        out.parameters.push_back({members.unique(prefix, name), type, offset});
         offset += layout.size;
-    }
+    };
+    for (const ir::Parameter& parameter : module.parameters) add("p_", parameter.name, parameter.type);
+    out.first_derived = out.parameters.size();
+    for (const ir::Derived& derived : module.derived) add("d_", derived.name, derived.type);
     out.block_size = align(offset, 16);
 
     std::vector<bool> sampled(module.textures.size(), false);
@@ -72,6 +75,10 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
         slot.sampler = static_cast<std::uint32_t>(it - out.samplers.begin());
     }
     return out;
+}
+
+bool reads_block(ir::Attribute attribute) {
+    return attribute == ir::Attribute::Parameter || attribute == ir::Attribute::Derived;
 }
 
 bool is_varying(ir::Op op) {

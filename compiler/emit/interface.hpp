@@ -33,10 +33,12 @@ struct SamplerSlot {
 };
 
 struct MaterialInterface {
-    std::vector<ParameterSlot> parameters;  // one per parameter of the module, in order
+    std::vector<ParameterSlot> parameters;  // one per parameter of the module, then one per derived number
     std::uint32_t block_size = 0;           // bytes, a multiple of 16; 0 without parameters
     std::vector<TextureSlot> textures;      // those that the module samples, by binding
     std::vector<SamplerSlot> samplers;
+
+    std::size_t first_derived = 0;  // of `parameters`
 
     [[nodiscard]] const TextureSlot* texture(std::uint32_t index) const;
 };
@@ -45,6 +47,9 @@ struct MaterialInterface {
 // not sample get no binding. Bindings are dense: the block (if any) is 0, textures start at 1, samplers
 // follow.
 MaterialInterface material_interface(const ir::Module& module, std::span<const std::uint32_t> sampler_group);
+
+// Whether a value of this attribute is read from the block.
+bool reads_block(ir::Attribute attribute);
 
 // ---- what one entry point uses ----
 

@@ -98,6 +98,16 @@ Datum datum_of(Type type, const std::array<double, 4>& number) {
     }
 }
 
+std::vector<Datum> derived_values(const Module& module, const Bindings& bindings) {
+    const PixelInputs nowhere;
+    std::vector<Datum> host, out;
+    host.reserve(module.host.size());
+    for (const Value& value : module.host)
+        host.push_back(evaluate_row(value.op)->run(Call{value, nowhere, bindings, host}));
+    for (const Derived& derived : module.derived) out.push_back(host[derived.host.index]);
+    return out;
+}
+
 Evaluator::Evaluator(const Module& module, Bindings bindings)
     : module_(module), bindings_(std::move(bindings)) {
     SG_ASSERT(bindings_.textures.size() == module.textures.size());
@@ -111,8 +121,9 @@ Evaluator::Evaluator(const Module& module, Bindings bindings)
 
 const std::vector<Datum>& Evaluator::run(const PixelInputs& pixel) {
     values_.clear();
+    const std::vector<Datum> derived = derived_values(module_, bindings_);
     for (const Value& value : module_.values) {
-        values_.push_back(evaluate_row(value.op)->run(Call{value, pixel, bindings_, values_}));
+        values_.push_back(evaluate_row(value.op)->run(Call{value, pixel, bindings_, values_, derived}));
     }
     return values_;
 }

@@ -98,6 +98,9 @@ struct Bindings {
 // A constant or a parameter's value: the first components of `number`, as many as the type has.
 Datum datum_of(Type type, const std::array<double, 4>& number);
 
+// What the host computes from the parameters, by Value::index of Op::derived.
+std::vector<Datum> derived_values(const Module& module, const Bindings& bindings);
+
 class Evaluator {
 public:
     // `module` must verify and outlive the evaluator; the bindings must be complete.
@@ -106,6 +109,7 @@ public:
     const std::vector<Datum>& run(const PixelInputs& pixel);
     // Of the last run. The module must have the output.
     [[nodiscard]] const Datum& output(Output output, std::uint32_t set = 0) const;
+    // Parameters may be set between runs.
     Bindings& bindings() { return bindings_; }
 
 private:

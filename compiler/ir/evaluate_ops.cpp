@@ -115,6 +115,7 @@ Rows inputs_rows() {
         // numbers
         Row{Op::constant, [](const Call& c) { return datum_of(c.value.type, c.value.number); }},
         Row{Op::parameter, [](const Call& c) { return c.bindings.parameters[c.value.index]; }},
+        Row{Op::derived, [](const Call& c) { return c.derived[c.value.index]; }},
         Row{Op::splat, [](double x) { return dvec2(x, x); }},
         Row{Op::color, [](dvec3 rgb) { return rgb; }},
     };

@@ -14,7 +14,8 @@ struct Call {
     const Value& value;
     const PixelInputs& pixel;
     const Bindings& bindings;
-    std::span<const Datum> before;  // the earlier values
+    std::span<const Datum> before;        // the earlier values
+    std::span<const Datum> derived = {};  // by Value::index of Op::derived
 
     [[nodiscard]] const Sampled& texture() const { return bindings.textures[value.index]; }
     [[nodiscard]] double zero() const { return value.number[0]; }  // attribute Zero

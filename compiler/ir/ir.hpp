@@ -54,7 +54,8 @@ enum class Attribute : std::uint8_t {
     Axis,
     Corner,
     Swizzle,
-    Function
+    Function,
+    Derived
 };
 // Whether Value::index holds the attribute.
 bool is_index(Attribute attribute);
@@ -156,6 +157,13 @@ struct Value {
     LayerId layer;                   // invalid: belongs to no layer
 };
 
+// Numbers that the host computes from parameters before it draws, and hands over beside them.
+struct Derived {
+    std::string name;
+    Type type{};   // as of a parameter
+    ValueId host;  // into Module::host
+};
+
 // What may leave a module, with the type it must have.
 enum class Output : std::uint8_t {
     normal,
@@ -194,6 +202,8 @@ struct Module {
     std::string name;
     std::vector<Texture> textures;
     std::vector<Parameter> parameters;
+    std::vector<Value> host;  // on parameters alone; operands are earlier values of this list
+    std::vector<Derived> derived;
     std::vector<Shader> shaders;
     std::vector<Function> functions;
     std::vector<Layer> layers;

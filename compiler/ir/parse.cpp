@@ -99,7 +99,7 @@ public:
         LineReader in{text, ""};
         if (!in.at_end()) {
             if (in.rest.front() == '%') {
-                value(in);
+                value(in, module.values, layer_);
             } else {
                 statement(in);
             }
@@ -134,6 +134,10 @@ private:
                 const auto lowest = in.number<double>();
                 module.parameters.back().range = {lowest, in.number<double>()};
             }
+        } else if (word == "host") {
+            value(in, module.host, {});
+        } else if (word == "derived") {
+            derived(in);
         } else if (word == "shader") {
             if (in.number<std::size_t>() != module.shaders.size())
                 in.fail("shaders must be numbered in order");
@@ -156,6 +160,16 @@ private:
         auto i = index_of(encoding_names(), encoding, [](std::string_view n) { return n; });
         if (!i) in.fail(fmt::format("unknown encoding '{}'", encoding));
         module.textures.push_back({std::move(name), static_cast<TextureEncoding>(i.value_or(0))});
+    }
+
+    void derived(LineReader& in) {
+        if (in.number<std::size_t>() != module.derived.size()) in.fail("derived must be numbered in order");
+        Derived found{in.quoted('"'), Type::Any, {}};
+        in.expect(':');
+        found.type = type(in);
+        in.expect('=');
+        found.host = in.value_id();
+        module.derived.push_back(std::move(found));
     }
 
     void function(LineReader& in) {
@@ -211,20 +225,20 @@ private:
         }
     }
 
-    void value(LineReader& in) {
-        if (in.value_id().index != module.values.size()) in.fail("values must be numbered in order");
+    void value(LineReader& in, std::vector<Value>& list, LayerId in_layer) {
+        if (in.value_id().index != list.size()) in.fail("values must be numbered in order");
         in.expect('=');
         std::string_view word = in.word();
         auto op = index_of(all_ops(), word, [](const OpInfo& o) { return o.name; });
         if (!op) return in.fail(fmt::format("unknown operation '{}'", word));
-        Value value{.op = static_cast<Op>(*op), .layer = layer_};
+        Value value{.op = static_cast<Op>(*op), .layer = in_layer};
         attribute(in, value, info(value.op).attribute);
         while (in.fault.empty() && !in.at_end() && in.rest.front() == '%')
             value.operands.push_back(in.value_id());
         in.expect(':');
         value.type = type(in);
         if (!in.at_end() && in.rest.front() == '\'') value.name = in.quoted('\'');
-        module.values.push_back(std::move(value));
+        list.push_back(std::move(value));
     }
 
     LayerId layer_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ir/host.hpp"
 #include "ir/ir.hpp"
 
 namespace sg::ir {
@@ -89,8 +90,38 @@ struct Verifier {
                 if (module.functions[value.index].shader >= module.shaders.size())
                     fault(where, "no such shader");
                 break;
+            case Attribute::Derived:
+                if (value.index >= module.derived.size()) {
+                    fault(where, "no such derived number");
+                } else if (module.derived[value.index].type != value.type) {
+                    fault(where,
+                          fmt::format("derived '{}' is {}, the value is {}", module.derived[value.index].name,
+                                      info(module.derived[value.index].type).name, info(value.type).name));
+                }
+                break;
             case Attribute::None:
                 break;
+        }
+    }
+
+    // What the host computes depends on parameters alone.
+    void host() {
+        const Module program{.parameters = module.parameters, .values = module.host};
+        Verifier inner{program, ""};
+        for (std::size_t i = 0; i < module.host.size(); ++i) {
+            const Op op = module.host[i].op;
+            if (op == Op::constant || op == Op::parameter || host_op(op)) {
+                inner.value(i);
+            } else {
+                inner.fault(fmt::format("%{}", i),
+                            fmt::format("'{}' is nothing that the host computes", info(op).name));
+            }
+        }
+        if (!inner.faults.empty()) faults += "host " + inner.faults;
+        for (const Derived& derived : module.derived) {
+            if (derived.host.index >= module.host.size() ||
+                module.host[derived.host.index].type != derived.type)
+                fault("derived " + derived.name, "is no value of the host of its type");
         }
     }
 
@@ -156,6 +187,7 @@ struct Verifier {
 
 std::string verify(const Module& module) {
     Verifier verifier{module, ""};
+    verifier.host();
     for (std::size_t i = 0; i < module.values.size(); ++i) verifier.value(i);
     verifier.derivatives_after_parallax();
     for (std::size_t i = 0; i < module.outputs.size(); ++i) verifier.output(i);

@@ -12,6 +12,7 @@
 namespace sg::opt {
 
 class Rewriter;
+struct Log;
 
 // A rule looks at one value whose operands are already rewritten. It gives the value to use instead, or an
 // invalid id where it does not apply. What it gives must be equal for every input, up to rounding.
@@ -20,6 +21,8 @@ struct Rule {
     std::string_view reason;
     std::vector<ir::Op> ops;  // the operations that it is tried on
     ir::ValueId (*apply)(Rewriter& rewriter, const ir::Value& value);
+    // Instead of `apply`: looks at the whole module behind all other rules, when only what is needed is left.
+    ir::Module (*whole)(ir::Module module, const Rule& rule, Log* log) = nullptr;
 };
 std::span<const Rule> all_rules();
 
@@ -74,6 +77,9 @@ private:
 
 // All rules, merging of equal values, dropping of unused ones.
 ir::Module optimise(const ir::Module& module, std::string_view skipped_rule = "", Log* log = nullptr);
+
+// The rule of this name (parameters_on_host.cpp).
+ir::Module parameters_on_host(ir::Module module, const Rule& rule, Log* log);
 
 // The module with these outputs alone and only the values that they need.
 ir::Module select_outputs(const ir::Module& module, std::span<const ir::Output> outputs);

@@ -25,6 +25,8 @@ Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped, Log
     module_.name = declarations.name;
     module_.textures = declarations.textures;
     module_.parameters = declarations.parameters;
+    module_.host = declarations.host;
+    module_.derived = declarations.derived;
     module_.shaders = declarations.shaders;
     module_.functions = declarations.functions;
     module_.layers = declarations.layers;
@@ -123,7 +125,7 @@ ir::Module compact(ir::Module module) {
 
 // The log speaks of the rewritten module until here.
 void rename(Log& log, const std::vector<ValueId>& renamed) {
-    for (ValueId& after : log.after) after = renamed[after.index];
+    for (ValueId& after : log.after) after = after.valid() ? renamed[after.index] : after;
     std::vector<Origin> kept;
     for (std::size_t i = 0; i < renamed.size(); ++i) {
         if (renamed[i].valid()) kept.push_back(log.origins[i]);
@@ -162,6 +164,11 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
     std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
     out = compact(std::move(out), renamed);
     if (log) rename(*log, renamed);
+    for (const Rule& rule : all_rules()) {
+        if (!rule.whole || rule.name == skipped_rule) continue;
+        out = compact(rule.whole(std::move(out), rule, log), renamed);
+        if (log) rename(*log, renamed);
+    }
     std::string faults = ir::verify(out);
     if (!faults.empty()) SG_UNREACHABLE("optimising made a bad module:\n" + faults);
     return out;

@@ -259,6 +259,11 @@ std::span<const Rule> all_rules() {
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
          fold_numbers},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
+        {"parameters_on_host",
+         "what depends on parameters alone is the same for every pixel: the host computes it once",
+         {},
+         nullptr,
+         parameters_on_host},
     };
     return kRules;
 }

@@ -7,12 +7,15 @@
 
 namespace sg::bench {
 
+// They hang on the vertex colour, for what hangs on parameters alone leaves the shader.
+
 // A graph of `count` nodes, each of which refers to the two before it: read as a tree it would be
 // exponential.
 inline std::string shared_graph(std::size_t count) {
     std::string out =
         R"({ "version": 1, "parameters": { "p": { "type": "float", "default": 0.5 } }, "nodes": {)";
-    out += R"("n0": { "op": "multiply", "a": "$p", "b": 0.5 }, "n1": { "op": "add", "a": "$p", "b": "@n0" })";
+    out +=
+        R"("v": { "op": "vertex_color", "channel": "r" }, "n0": { "op": "multiply", "a": "@v", "b": 0.5 }, "n1": { "op": "add", "a": "$p", "b": "@n0" })";
     constexpr std::string_view kOps[] = {"add", "multiply", "min", "max", "subtract"};
     for (std::size_t i = 2; i < count; ++i) {
         out += fmt::format(R"(,
@@ -27,8 +30,8 @@ inline std::string shared_graph(std::size_t count) {
 inline std::string nameless_graph(std::size_t count) {
     constexpr std::size_t kDepth = 50;
     std::string out =
-        R"({ "version": 1, "parameters": { "p": { "type": "float", "default": 0.5 } }, "nodes": {)";
-    std::string before = "\"$p\"";
+        R"({ "version": 1, "parameters": { "p": { "type": "float", "default": 0.5 } }, "nodes": { "v": { "op": "vertex_color", "channel": "r" },)";
+    std::string before = "\"@v\"";
     for (std::size_t made = 0, group = 0; made < count; made += kDepth, ++group) {
         std::string node = before;
         for (std::size_t k = 0; k < kDepth; ++k)

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "runtime/parameters.hpp"
 #include "tests/cross/metal/driver.hpp"
 #include "tests/cross/metal_source.hpp"
 #include "tests/cross/process.hpp"
@@ -213,6 +214,24 @@ void bind(const Compiled& compiled, const oracle::Material& material, Bound& out
     }
 }
 
+// Behind the parameters, what follows from them.
+void derive(const Compiled& compiled, const oracle::Material& material, Parameters& parameters) {
+    Diags diags;
+    const auto artefact = runtime::read_manifest(compiled.manifest.dump(), "manifest", diags);
+    if (!artefact) throw std::runtime_error(render(diags));
+    if (!artefact->parameters) return;
+    std::vector<runtime::Numbers> given;
+    const std::size_t first = material.bindings.parameters.size();
+    for (std::size_t i = 0; i < first; ++i) {
+        given.push_back({.count = ir::components(material.bindings.parameters[i]).size()});
+        for (std::size_t c = 0; c < given.back().count; ++c) given.back().at[c] = double{parameters[i][c]};
+    }
+    const auto derived = runtime::derived_numbers(*artefact->parameters, given);
+    for (std::size_t i = 0; i < derived.size(); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) parameters[first + i][c] = runtime::stored(derived[i][c]);
+    }
+}
+
 struct Made {
     std::vector<dvec3> normals;
     std::vector<std::array<std::array<float, 4>, kResults>> results;
@@ -228,6 +247,7 @@ Made run_function(const Compiled& compiled, const std::string& text, const oracl
         const auto values = ir::components(material.bindings.parameters[i]);
         for (std::size_t c = 0; c < values.size(); ++c) parameters[i][c] = static_cast<float>(values[c]);
     }
+    derive(compiled, material, parameters);
     Made out;
     for (const ir::PixelInputs& pixel : pixels) {
         Inputs inputs{};

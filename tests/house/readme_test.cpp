@@ -1,4 +1,5 @@
 // The documents say what is: tables are compared with the rows that they describe, paths and commands exist.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -7,6 +8,7 @@
 #include "base/diag.hpp"
 #include "emit/function.hpp"
 #include "emit/glsl.hpp"
+#include "ir/host.hpp"
 #include "ir/ir.hpp"
 #include "kinds.hpp"
 #include "opt/optimise.hpp"
@@ -45,6 +47,24 @@ TEST(Readme, EveryRuleAndEntryPointIsListed) {
     std::string artefacts = document("compiler/artefacts.md");
     for (const emit::EntryPoint& entry : emit::all_entry_points()) {
         EXPECT_NE(artefacts.find("| `" + std::string(entry.name) + "` |"), std::string::npos) << entry.name;
+    }
+}
+
+// With as many letters as a word has operands.
+TEST(Readme, EveryWordOfExpressionsIsListed) {
+    const std::string text = document("compiler/artefacts.md");
+    for (const ir::HostOp& op : ir::all_host_ops()) {
+        if (op.word.empty()) continue;
+        if (!op.costs) {
+            EXPECT_NE(text.find(fmt::format("| `[\"{}\", EXPRESSION", op.word)), std::string::npos)
+                << op.word;
+            continue;
+        }
+        const std::size_t at = text.find(fmt::format("| `{}` | ", op.word));
+        ASSERT_NE(at, std::string::npos) << op.word;
+        const std::size_t from = text.find(" | ", at) + 3;
+        const std::size_t letters = (text.find(" | ", from) - from + 1) / 2;
+        EXPECT_EQ(letters, ir::info(op.op).operands.size()) << op.word;
     }
 }
 

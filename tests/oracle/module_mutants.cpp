@@ -53,6 +53,24 @@ bool zero_is_another(Module&, ir::Value& value) {
     return true;
 }
 
+bool derived_is_another(Module& module, ir::Value& value) {
+    if (value.op != Op::derived) return false;
+    for (std::uint32_t i = 0; i < module.derived.size(); ++i) {
+        if (i == value.index || module.derived[i].type != value.type) continue;
+        value.index = i;
+        return true;
+    }
+    return false;
+}
+// The host adds where it should multiply.
+bool host_adds(Module& module, ir::Value& value) {
+    if (value.op != Op::derived) return false;
+    ir::Value& host = module.host[module.derived[value.index].host.index];
+    if (host.op != Op::multiply) return false;
+    host.op = Op::add;
+    return true;
+}
+
 constexpr ModuleMutant kMutants[] = {
     {"a scale of a derivative is dropped", forwarded<Op::scale_deriv, 1>},
     {"a scale of a gradient is dropped", forwarded<Op::scale_surfgrad, 1>},
@@ -69,6 +87,8 @@ constexpr ModuleMutant kMutants[] = {
     {"a read takes another coordinate", exchanged<Op::sample, 0>},
     {"a factor becomes negative", tiling_is_negated},
     {"the code of zero is another", zero_is_another},
+    {"a derived number is another", derived_is_another},
+    {"the host adds where it should multiply", host_adds},
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ public:
             out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
             out_.parameters.push_back(ir::datum_of(type, numbers()));
         }
+        derive();
         while (out_.module.values.size() < kValues) {
             const ir::OpInfo& op = pick_op();
             const bool looks = out_.module.values.size() >= kBeforeParallax;
@@ -49,6 +50,15 @@ public:
 private:
     std::size_t below(std::size_t count) {
         return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+    }
+
+    // What the host computed already before an optimiser came.
+    void derive() {
+        ir::Module& module = out_.module;
+        module.host = {{.op = Op::parameter, .type = Type::Scalar},
+                       {.op = Op::constant, .type = Type::Scalar, .number = {number()}},
+                       {.op = Op::multiply, .type = Type::Scalar, .operands = {ValueId{0}, ValueId{1}}}};
+        module.derived = {{"first", Type::Scalar, {2}}, {"second", Type::Scalar, {0}}};
     }
 
     // Coordinates and bases, which many rules look at, more often than the rest.
@@ -106,6 +116,10 @@ private:
             case ir::Attribute::Parameter:
                 value.index = static_cast<std::uint32_t>(below(out_.module.parameters.size()));
                 value.type = out_.module.parameters[value.index].type;
+                break;
+            case ir::Attribute::Derived:
+                value.index = static_cast<std::uint32_t>(below(out_.module.derived.size()));
+                value.type = out_.module.derived[value.index].type;
                 break;
             case ir::Attribute::Zero:
                 value.number[0] = kZeros[below(3)];

@@ -16,6 +16,7 @@
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_reach;
+    float d_dent_multiply;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_chart;
 layout(set = 1, binding = 2) uniform texture2D t_brick;
@@ -59,7 +60,7 @@ void main() {
     mat4 m_dent_projector = mat4(mat4x3(vec3(2.8867514, 0.0, -1.6666666), vec3(-1.4433757, -1.6666666, -2.5), vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317)));
     SgDecal m_dent_decal = sg_decal_box(m_dent_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_dent_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0));
-    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.p_reach * 3.3333333, 0.2) * sg_sample(t_moss, s_0, m_dent_decal.uv).x;
+    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) * sg_sample(t_moss, s_0, m_dent_decal.uv).x;
     vec3 m_dent_mask_volgrad = sg_combine_mask(-1.0 * sg_decal_gradient(sg_deriv_green_up(m_dent_deriv), m_dent_decal), m_dent_coverage);
 
     vec3 m_add_volgrad = 0.008 * m_grain_gradient_from_object + m_chart_mask_volgrad + m_pebbles_mask_volgrad + m_dent_mask_volgrad;

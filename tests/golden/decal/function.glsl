@@ -91,6 +91,7 @@ struct SgMaterialResult {
 
 struct SgMaterialParameters_decal {
     float p_reach;
+    float d_dent_multiply;
 };
 
 SgMaterialResult sg_material_decal(SgMaterialInputs sg_inputs, SgMaterialParameters_decal sg_material, texture2D t_chart, texture2D t_brick, texture2D t_pebble, texture2D t_stone, texture2D t_moss, sampler s_0) {
@@ -123,7 +124,7 @@ SgMaterialResult sg_material_decal(SgMaterialInputs sg_inputs, SgMaterialParamet
     mat4 m_dent_projector = mat4(mat4x3(vec3(2.8867514, 0.0, -1.6666666), vec3(-1.4433757, -1.6666666, -2.5), vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317)));
     SgDecal m_dent_decal = sg_decal_box(m_dent_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_dent_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0));
-    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.p_reach * 3.3333333, 0.2) * sg_sample(t_moss, s_0, m_dent_decal.uv).x;
+    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) * sg_sample(t_moss, s_0, m_dent_decal.uv).x;
     vec3 m_dent_mask_volgrad = sg_combine_mask(-1.0 * sg_decal_gradient(sg_deriv_green_up(m_dent_deriv), m_dent_decal), m_dent_coverage);
 
     vec3 m_add_volgrad = 0.008 * m_grain_gradient_from_object + m_chart_mask_volgrad + m_pebbles_mask_volgrad + m_dent_mask_volgrad;

@@ -15,6 +15,9 @@
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_depth;
+    float d_parallax_multiply;
+    float d_parallax_multiply_2;
+    float d_parallax_multiply_3;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_planes;
 layout(set = 1, binding = 2) uniform texture2D t_pebble;
@@ -36,7 +39,7 @@ void main() {
 
     // parallax: steps
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
-    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.p_depth * 0.125 * sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy, int(4.0));
+    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.d_parallax_multiply * sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy, int(4.0));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
     vec3 m_parallax_moved_normal_2 = sg_mirror_normal(m_parallax_moved_normal, m_facing);

@@ -91,6 +91,9 @@ struct SgMaterialResult {
 
 struct SgMaterialParameters_parallax_steps {
     float p_depth;
+    float d_parallax_multiply;
+    float d_parallax_multiply_2;
+    float d_parallax_multiply_3;
 };
 
 SgMaterialResult sg_material_parallax_steps(SgMaterialInputs sg_inputs, SgMaterialParameters_parallax_steps sg_material, texture2D t_planes, texture2D t_pebble, texture2D t_stone, sampler s_0) {
@@ -103,7 +106,7 @@ SgMaterialResult sg_material_parallax_steps(SgMaterialInputs sg_inputs, SgMateri
     // parallax: steps
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_function_view(sg_inputs.to_viewer, sg_inputs.position));
-    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.p_depth * 0.125 * m_parallax_view.xy, int(4.0));
+    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.d_parallax_multiply * m_parallax_view.xy, int(4.0));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
     vec3 m_parallax_moved_normal_2 = sg_mirror_normal(m_parallax_moved_normal, m_facing);

@@ -20,6 +20,8 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
+    float d_subtract;
+    float d_mix;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
 layout(set = 1, binding = 2) uniform sampler s_0;
@@ -43,7 +45,7 @@ void main() {
 
     // cracks: noise
     vec3 m_cracks_gradient_from_object = sg_stage_gradient_from_object(6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, 1.0 - sg_material.p_painted));
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, sg_material.d_subtract));
 
     vec3 m_add_surfgrad = m_bumps + m_cracks;
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);

@@ -98,6 +98,8 @@ struct SgMaterialParameters_switches_worn {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
+    float d_subtract;
+    float d_mix;
 };
 
 SgMaterialResult sg_material_switches_worn(SgMaterialInputs sg_inputs, SgMaterialParameters_switches_worn sg_material, texture2D t_bumps, sampler s_0) {
@@ -113,8 +115,8 @@ SgMaterialResult sg_material_switches_worn(SgMaterialInputs sg_inputs, SgMateria
 
     // cracks: noise
     vec3 m_cracks_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, 1.0 - sg_material.p_painted));
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, sg_material.d_subtract));
 
     vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
-    return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks), mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, mix(0.8, 0.3, sg_material.p_painted), 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks), mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -19,6 +19,8 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
+    float d_subtract;
+    float d_mix;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
 layout(set = 1, binding = 2) uniform sampler s_0;
@@ -40,7 +42,7 @@ void main() {
 
     // cracks: noise
     vec3 m_cracks_gradient = 6.0 * sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient;
-    vec3 m_cracks_mask_volgrad = sg_combine_mask(-0.03 * sg_stage_gradient_from_object(m_cracks_gradient), 1.0 - sg_material.p_painted);
+    vec3 m_cracks_mask_volgrad = sg_combine_mask(-0.03 * sg_stage_gradient_from_object(m_cracks_gradient), sg_material.d_subtract);
     vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, m_cracks_mask_volgrad);
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_bumps + m_cracks), 1.0);

@@ -1,7 +1,9 @@
 #include "opt/optimise.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "ir/text.hpp"
@@ -116,6 +118,20 @@ const RuleCase kCases[] = {
      "%11 = surfgrad_from_tbn %9 %3 : SurfGrad\n%12 = add_surfgrad %10 %11 : SurfGrad\noutput gradient = "
      "%12\n",
      "%9 = add_deriv %6 %8 : Deriv\n%10 = surfgrad_from_tbn %9 %2 : SurfGrad\noutput gradient = %10\n"},
+    // %11 is needed by the shader and by %12; the channel alone costs nothing and stays.
+    {"parameters_on_host",
+     "parameter 0 \"p\" : Scalar\nparameter 1 \"q\" : Vec4\n%8 = parameter 0 : Scalar\n%9 = parameter 1 : "
+     "Vec4\n"
+     "%10 = channel_of 2 %9 : Scalar\n%11 = multiply %8 %10 : Scalar 'both'\n%12 = add %11 %11 : Scalar\n"
+     "%13 = facing : Scalar\n%14 = multiply %13 %11 : Scalar\n%15 = multiply %12 %14 : Scalar\n"
+     "output metallic = %15\noutput roughness = %10\noutput opacity = %8\n",
+     "host %0 = parameter 0 : Scalar\nhost %1 = parameter 1 : Vec4\nhost %2 = channel_of 2 %1 : Scalar\n"
+     "host %3 = multiply %0 %2 : Scalar 'both'\nhost %4 = add %3 %3 : Scalar\n"
+     "derived 0 \"both\" : Scalar = %3\nderived 1 \"add\" : Scalar = %4\n"
+     "%0 = parameter 0 : Scalar\n%1 = parameter 1 : Vec4\n%2 = channel_of 2 %1 : Scalar\n"
+     "%3 = derived 0 : Scalar 'both'\n%4 = derived 1 : Scalar\n%5 = facing : Scalar\n"
+     "%6 = multiply %5 %3 : Scalar\n%7 = multiply %4 %6 : Scalar\n"
+     "output metallic = %7\noutput roughness = %2\noutput opacity = %0\n"},
 };
 
 TEST(Opt, EachRuleBeforeAndAfter) {
@@ -131,6 +147,51 @@ TEST(Opt, EachRuleBeforeAndAfter) {
         EXPECT_TRUE(seen.count(rule.name)) << "no case for the rule " << rule.name;
         EXPECT_FALSE(rule.reason.empty());
     }
+}
+
+// What has no room in the block stays in the shader, and a second run finds nothing more to do.
+TEST(Opt, TheBlockOfDerivedParametersIsBounded) {
+    std::string text =
+        "parameter 0 \"p\" : Scalar\n%0 = parameter 0 : Scalar\n%1 = facing : Scalar\n%2 = add %0 %1 : "
+        "Scalar\n";
+    int last = 2;
+    for (int i = 0; i < 300;
+         ++i) {  // each product of p is the host's, each sum with the facing is the shader's
+        text += fmt::format(
+            "%{} = constant {} : Scalar\n%{} = multiply %0 %{} : Scalar\n%{} = add %{} %{} : Scalar\n",
+            last + 1, i + 2, last + 2, last + 1, last + 3, last, last + 2);
+        last += 3;
+    }
+    text += fmt::format("output metallic = %{}\n", last);
+    std::string fault;
+    const ir::Module once = optimise(*ir::parse(text, fault));
+    EXPECT_EQ(once.derived.size(), 256u);
+    auto products = [](const ir::Module& module) {
+        return std::count_if(module.values.begin(), module.values.end(),
+                             [](const ir::Value& v) { return v.op == ir::Op::multiply; });
+    };
+    EXPECT_EQ(products(once), 44);
+    EXPECT_EQ(ir::print(optimise(once)), ir::print(once));
+}
+
+TEST(Opt, WhatTheHostComputesIsVerified) {
+    auto faults = [](const std::string& text) {
+        std::string fault;
+        auto module = ir::parse("parameter 0 \"p\" : Scalar\n" + text, fault);
+        return module ? ir::verify(*module) : fault;
+    };
+    EXPECT_EQ(
+        faults("host %0 = parameter 0 : Scalar\nderived 0 \"d\" : Scalar = %0\n%0 = derived 0 : Scalar\n"),
+        "");
+    EXPECT_EQ(faults("host %0 = facing : Scalar\n"), "host %0: 'facing' is nothing that the host computes\n");
+    EXPECT_EQ(faults("host %0 = parameter 1 : Scalar\n"), "host %0: no such parameter\n");
+    EXPECT_EQ(faults("derived 0 \"d\" : Scalar = %0\n"), "derived d: is no value of the host of its type\n");
+    EXPECT_EQ(faults("host %0 = parameter 0 : Scalar\nderived 0 \"d\" : Color = %0\n"),
+              "derived d: is no value of the host of its type\n");
+    EXPECT_EQ(faults("%0 = derived 0 : Scalar\n"), "%0: no such derived number\n");
+    EXPECT_EQ(
+        faults("host %0 = parameter 0 : Scalar\nderived 0 \"d\" : Scalar = %0\n%0 = derived 0 : Color\n"),
+        "%0: derived 'd' is Scalar, the value is Color\n");
 }
 
 TEST(Opt, NegativeTilingKeepsItsOwnBasis) {

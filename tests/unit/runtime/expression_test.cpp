@@ -1,0 +1,110 @@
+// The manifest's expressions of parameters: read, refused, computed.
+#include "runtime/expression.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "runtime/parameters.hpp"
+#include "tests/unit/runtime/sample_artefact.hpp"
+
+namespace sg::runtime {
+namespace {
+
+// The sample's block (tint: color at 0, gain: float at 12) with one derived parameter behind it.
+std::string manifest(const std::string& expression, const std::string& type = "vec4",
+                     const std::string& steps = "[]", int offset = 16) {
+    std::string text = test::sample_manifest();
+    const std::string block = "\"size\": 16, \"parameters\"";
+    const std::size_t at = text.find(block);
+    EXPECT_NE(at, std::string::npos);
+    return text.replace(
+        at, block.size(),
+        fmt::format(R"("size": 32, "steps": {}, "derived": [{{"name": "d", "type": "{}", "offset": {}, )"
+                    R"("default": [0], "expression": {}}}], "parameters")",
+                    steps, type, offset, expression));
+}
+
+// The derived numbers for tint = 0.25, 0.5, 2 and gain = 3.
+std::vector<float> computed(const std::string& text) {
+    Diags diags;
+    auto artefact = read_manifest(text, "m.json", diags);
+    if (!artefact) return {};
+    auto block = pack_parameters(*artefact, std::vector<std::string>{"tint=0.25,0.5,2", "gain=3"}, diags);
+    if (!block) return {};
+    std::vector<float> out(artefact->parameters->derived.at(0).count);
+    std::memcpy(out.data(), block->data() + 16, out.size() * sizeof(float));
+    return out;
+}
+
+using Floats = std::vector<float>;
+
+TEST(Expression, EachWord) {
+    EXPECT_EQ(computed(manifest(R"(["add", "$tint", 1])", "color")), (Floats{1.25f, 1.5f, 3}));
+    EXPECT_EQ(computed(manifest(R"(["subtract", 1, "$gain"])", "float")), Floats{-2});
+    EXPECT_EQ(computed(manifest(R"(["multiply", "$tint", [2, 3, 4]])", "color")), (Floats{0.5f, 1.5f, 8}));
+    EXPECT_EQ(computed(manifest(R"(["divide", "$gain", 2])", "float")), Floats{1.5f});
+    EXPECT_EQ(computed(manifest(R"(["divide", "$gain", 0])", "float")), Floats{0});
+    EXPECT_EQ(computed(manifest(R"(["minimum", "$tint", 0.5])", "color")), (Floats{0.25f, 0.5f, 0.5f}));
+    EXPECT_EQ(computed(manifest(R"(["maximum", "$tint", 0.5])", "color")), (Floats{0.5f, 0.5f, 2}));
+    EXPECT_EQ(computed(manifest(R"(["mix", "$gain", 7, 0.25])", "float")), Floats{4});
+    EXPECT_EQ(computed(manifest(R"(["clamp", "$tint", 0.3, 1])", "color")), (Floats{0.3f, 0.5f, 1}));
+    EXPECT_EQ(computed(manifest(R"(["clamp", 0.5, 1, 0])", "float")), Floats{0});  // the upper bound wins
+    EXPECT_EQ(computed(manifest(R"(["smoothstep", 0, 2, "$tint"])", "color")),
+              (Floats{0.04296875f, 0.15625f, 1}));
+    EXPECT_EQ(computed(manifest(R"(["smoothstep", 3, 3, "$gain"])", "float")), Floats{1});
+    EXPECT_EQ(computed(manifest(R"(["power", "$gain", 2])", "float")), Floats{9});
+    EXPECT_EQ(computed(manifest(R"(["power", -1, 2])", "float")), Floats{0});
+    EXPECT_EQ(computed(manifest(R"(["channel", "$tint", 1])", "float")), Floats{0.5f});
+    EXPECT_EQ(computed(manifest(R"(["rgb", [1, 2, 3, 4]])", "color")), (Floats{1, 2, 3}));
+    EXPECT_EQ(expression_words().size(), 10u);
+}
+
+TEST(Expression, StepsNumbersAndWhatABlockHolds) {
+    EXPECT_EQ(computed(manifest(R"(["multiply", "#1", "#0"])", "float",
+                                R"([["add", "$gain", 1], ["multiply", "#0", 10]])")),
+              Floats{160});
+    EXPECT_EQ(computed(manifest("[1, 2, 3, 4]")), (Floats{1, 2, 3, 4}));
+    EXPECT_EQ(computed(manifest("5")), (Floats{5, 5, 5, 5}));  // a single number stands for all
+    EXPECT_EQ(computed(manifest(R"(["power", 1e200, "$gain"])", "float")), Floats{3.40282347e38f});
+    EXPECT_EQ(computed(manifest(R"(["subtract", ["power", 1e200, 2], ["power", 1e200, 2]])", "float")),
+              Floats{0});
+}
+
+// Each with the whole first line behind the place.
+TEST(Expression, WhatIsRefused) {
+    auto message = [](const std::string& text) {
+        Diags diags;
+        EXPECT_FALSE(read_manifest(text, "m.json", diags)) << text.substr(0, 2000);
+        return diags.has_errors() ? diags.all()[0].message : "";
+    };
+    const std::string at = "'/parameter_block/derived/0/expression";
+    EXPECT_EQ(
+        message(manifest(R"(["sine", 1])")),
+        at + "/0' is 'sine', expected 'add', 'subtract', 'multiply', 'divide', 'minimum', 'maximum', 'mix', "
+             "'clamp', 'smoothstep', 'power', 'channel' or 'rgb'");
+    EXPECT_EQ(message(manifest(R"(["add", 1])")), at + "/0' must have 2 behind it");
+    EXPECT_EQ(message(manifest(R"(["channel", "$tint"])")), at + "/0' must have 2 behind it");
+    EXPECT_EQ(message(manifest(R"("$tont")")),
+              at + "' is '$tont', neither '$' with a parameter nor '#' with an earlier step");
+    EXPECT_EQ(message(manifest(R"("#0")")),
+              at + "' is '#0', neither '$' with a parameter nor '#' with an earlier step");
+    EXPECT_EQ(message(manifest(R"(["add", "$tint", [1, 2]])", "color")),
+              at + "' mixes vectors of different lengths");
+    EXPECT_EQ(message(manifest(R"(["channel", "$tint", 3])", "float")),
+              at + "' mixes vectors of different lengths");
+    EXPECT_EQ(message(manifest(R"(["rgb", "$gain"])", "color")), at + "' mixes vectors of different lengths");
+    EXPECT_EQ(message(manifest("[]")), at + "' must hold one to four values");
+    EXPECT_EQ(message(manifest("{}")), at + "' must be a text");
+    EXPECT_EQ(message(manifest(R"("$tint")", "float")),
+              "'/parameter_block/derived/0' is of 3 numbers, expected 1");
+    EXPECT_EQ(message(manifest("1", "vec4", "[]", 20)),
+              "'/parameter_block/derived/0' lies outside its block");
+    EXPECT_EQ(
+        message(manifest("1", "vec4", R"(["#0"])")),
+        "'/parameter_block/steps/0' is '#0', neither '$' with a parameter nor '#' with an earlier step");
+}
+
+}  // namespace
+}  // namespace sg::runtime
