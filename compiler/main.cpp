@@ -20,6 +20,7 @@
 #include "import/gltf_import.hpp"
 #include "kinds.hpp"
 #include "outputs.hpp"
+#include "sarif.hpp"
 #include "schema.hpp"
 
 namespace {
@@ -49,6 +50,10 @@ bool use_color(const Options& options) {
 
 void print_diags(sg::Diags& diags, const Options& options) {
     diags.sort();
+    if (options.diagnostics == "sarif") {
+        std::cerr << sg::sarif(diags);
+        return;
+    }
     auto format = options.diagnostics == "json" ? sg::DiagFormat::json : sg::DiagFormat::human;
     std::cerr << sg::render(diags, format, use_color(options));
 }
@@ -189,7 +194,7 @@ int run_codes() {
 
 void add_message_options(CLI::App& command, Options& options) {
     command.add_option("--diagnostics", options.diagnostics, "form of messages")
-        ->check(CLI::IsMember({"human", "json"}))
+        ->check(CLI::IsMember({"human", "json", "sarif"}))
         ->capture_default_str();
     command.add_option("--color", options.color, "colour in messages")
         ->check(CLI::IsMember({"auto", "always", "never"}))
@@ -255,6 +260,36 @@ std::vector<std::string> spelled_out(int argc, char** argv) {
     return out;
 }
 
+// What the words after the program's name leave open or get wrong, with the nearest word that exists.
+int usage(CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::vector<std::string> owned;
+    const CLI::App* command = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+    for (const CLI::App* sub : app.get_subcommands({})) {
+        if (command == &app) owned.push_back(sub->get_name());
+    }
+    for (const CLI::Option* option : command->get_options()) owned.push_back(option->get_name());
+    std::vector<std::string_view> words(owned.begin(), owned.end());
+    std::string text = error.what();
+    for (int i = 1; i < argc; ++i) {
+        std::string_view word = argv[i];
+        word = word.substr(0, word.starts_with("--") ? word.find('=') : word.npos);
+        bool expected = std::find(words.begin(), words.end(), word) != words.end();
+        if (command == &app && !expected && !word.starts_with('-')) {
+            text = fmt::format("unknown command '{}'", sg::printable(word));
+        } else if (expected || !word.starts_with("--")) {
+            continue;
+        }
+        std::string hint = sg::did_you_mean(word, words);
+        if (hint.empty() && command == &app) hint = fmt::format(", expected {}", sg::one_of(words));
+        text += hint;
+        break;
+    }
+    fmt::print(stderr, "surfgradc: {}\nsurfgradc{} --help tells what is expected\n", text,
+               command == &app ? "" : " " + command->get_name());
+    return kExitUsage;
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"surfgradc: compiles material graphs of bump layers to SPIR-V"};
     app.set_version_flag("--version", std::string(sg::generator_name()));
@@ -280,7 +315,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(spelled_out(argc, argv));
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
+        return usage(app, error, argc, argv);
     }
     if (compile->parsed()) return run_task(options, Task::compile);
     if (explain->parsed()) return run_task(options, Task::explain);

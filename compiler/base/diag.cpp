@@ -108,8 +108,19 @@ std::string render_json(const Diagnostic& d) {
             json_string(d.place.source->name), at.line, at.column, end.line, end.column, d.place.span.begin,
             d.place.span.end, json_string(d.place.pointer));
     }
-    out += fmt::format(",\"mend\":{}}}\n", json_string(code_info(d.code).mend));
-    return out;
+    std::string notes;
+    for (const Note& note : d.notes) {
+        notes += fmt::format("{}{{\"message\":{}", notes.empty() ? "" : ",", json_string(note.text));
+        if (note.place.source) {
+            LineColumn at = line_column(note.place.source->text, note.place.span.begin);
+            notes += fmt::format(",\"file\":{},\"line\":{},\"column\":{},\"pointer\":{}",
+                                 json_string(note.place.source->name), at.line, at.column,
+                                 json_string(note.place.pointer));
+        }
+        notes += "}";
+    }
+    if (!notes.empty()) out += fmt::format(",\"notes\":[{}]", notes);
+    return out + fmt::format(",\"mend\":{}}}\n", json_string(code_info(d.code).mend));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Files::ReadResult RealFiles::read(const fs::path& path) {
     std::error_code ec;
     fs::file_status status = fs::status(path, ec);
     if (status.type() == fs::file_type::not_found) return {Status::missing, "", ""};
-    if (status.type() == fs::file_type::directory) return {Status::unreadable, "", "it is a folder"};
+    if (status.type() == fs::file_type::directory) return {Status::folder, "", "it is a folder"};
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) return {Status::unreadable, "", std::strerror(errno)};
@@ -96,6 +96,10 @@ std::optional<std::string> read_or_report(Files& files, const fs::path& path, Di
         case Files::Status::missing:
             diags.error(Code::file_missing,
                         fmt::format("file '{}' does not exist", printable(path.string())));
+            break;
+        case Files::Status::folder:
+            diags.error(Code::file_missing,
+                        fmt::format("'{}' is a folder, expected a file", printable(path.string())));
             break;
         case Files::Status::unreadable:
             diags.error(Code::file_unreadable,

@@ -16,7 +16,7 @@ namespace sg {
 class Files {
 public:
     virtual ~Files() = default;
-    enum class Status { ok, missing, unreadable };
+    enum class Status { ok, missing, folder, unreadable };
     struct ReadResult {
         Status status = Status::missing;
         std::string bytes;

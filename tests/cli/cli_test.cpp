@@ -204,6 +204,39 @@ TEST_F(Cli, FurtherRootsAndJsonMessages) {
     EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1);
 }
 
+// A log that code hosts read: rules, places as lines, bytes and pointers, notes as related places.
+TEST_F(Cli, MessagesAsSarif) {
+    write("one/a b.json",
+          "{ \"version\": 1,\n  \"bump\": [ { \"id\": \"x\", \"layers\": [] }, { \"id\": \"x\", "
+          "\"layers\": [] } ] }\n");
+    Outcome out = run(root_ / "one", "check 'a b.json' --diagnostics sarif");
+    EXPECT_EQ(out.exit_code, 1);
+    EXPECT_EQ(out.text, test::read_file(test::source_dir() / "tests/cli/golden/faults.sarif"));
+    EXPECT_NE(
+        run(root_ / "one", "check materials/noise.json --diagnostics sarif").text.find("\"results\": []"),
+        std::string::npos);
+}
+
+TEST_F(Cli, WrongWordsNameTheNearest) {
+    fs::path one = root_ / "one";
+    EXPECT_EQ(run(one, "chek a.json").text,
+              "surfgradc: unknown command 'chek', did you mean 'check'?\nsurfgradc --help tells what is "
+              "expected\n");
+    EXPECT_EQ(
+        run(one, "frobnicate").text,
+        "surfgradc: unknown command 'frobnicate', expected 'compile', 'check', 'explain', 'import', 'kinds', "
+        "'schema', 'codes', '--help' or '--version'\nsurfgradc --help tells what is expected\n");
+    EXPECT_EQ(run(one, "compile materials/noise.json -o out --targt=spirv").text,
+              "surfgradc: The following argument was not expected: --targt=spirv, did you mean '--target'?\n"
+              "surfgradc compile --help tells what is expected\n");
+    EXPECT_EQ(run(one, "compile materials/noise.json -o out --entry lit").text,
+              "surfgradc: --entry: lit not in {forward,gbuffer,normal,depth,debug,function}\n"
+              "surfgradc compile --help tells what is expected\n");
+    Outcome folder = run(one, "check materials");
+    EXPECT_EQ(folder.text, "error: 'materials' is a folder, expected a file [SG1301]\n");
+    EXPECT_EQ(folder.exit_code, 1);
+}
+
 TEST_F(Cli, TablesArePrinted) {
     EXPECT_NE(run(root_, "kinds").text.find("normal_map: a tangent-space normal map on a uv set\n"),
               std::string::npos);

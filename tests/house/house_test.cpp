@@ -102,8 +102,8 @@ TEST(House, HeavyHeadersStayInTheirFacades) {
     const std::map<std::string, std::set<std::string>> facades = {
         {"nlohmann/",
          {"compiler/json/json.cpp", "compiler/artefact.cpp", "compiler/function_manifest.cpp",
-          "compiler/host_manifest.cpp", "compiler/import/gltf_import.cpp", "compiler/schema.cpp",
-          "runtime/manifest.cpp"}},
+          "compiler/host_manifest.cpp", "compiler/import/gltf_import.cpp", "compiler/sarif.cpp",
+          "compiler/schema.cpp", "runtime/manifest.cpp"}},
         {"glslang/", {"compiler/target/spirv.cpp"}},
         {"spirv-tools/", {"compiler/target/spirv.cpp"}},
         {"spirv_cross/", {"compiler/target/cross.cpp"}},

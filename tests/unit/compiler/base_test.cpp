@@ -104,7 +104,7 @@ TEST(Files, WriteAllWritesAllOrNothing) {
     EXPECT_EQ(std::distance(fs::directory_iterator(dir), fs::directory_iterator()), 1);  // no temporary left
     EXPECT_EQ(files.write_all({{dir / "sub" / "a.txt", "a"}}), "");
     EXPECT_EQ(files.read(dir / "sub" / "a.txt").bytes, "a");
-    EXPECT_EQ(files.read(dir).status, Files::Status::unreadable);
+    EXPECT_EQ(files.read(dir).status, Files::Status::folder);
     EXPECT_EQ(files.read(dir / "none").status, Files::Status::missing);
     fs::remove_all(dir);
 }
