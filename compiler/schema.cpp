@@ -163,6 +163,15 @@ Json node_definition() {
     return {{"anyOf", any}};
 }
 
+// Under a name, a value alone is a node as well.
+Json named_node_definition() {
+    const Field& constant = layers::find_node_kind("constant")->fields.front();
+    const Field& color = layers::find_node_kind("constant_color")->fields.front();
+    return {{"anyOf",
+             {reference("node"), number(constant.minimum, constant.maximum),
+              numbers(3, number(color.minimum, color.maximum)), reference("parameter_reference")}}};
+}
+
 // What a user's function is handed.
 Json argument_definition() {
     Json any = Json::array();
@@ -279,6 +288,7 @@ std::string schema_text() {
                         {"node_reference", {{"type", "string"}, {"pattern", "^@.+"}}},
                         {"uv", uv_definition()},
                         {"node", node_definition()},
+                        {"named_node", named_node_definition()},
                         {"argument", argument_definition()},
                         {"parallax", parallax_definition()},
                         {"layer", layer_definition()}};
@@ -293,7 +303,7 @@ std::string schema_text() {
                          {"description", {{"type", "string"}}},
                          {"parameters", named(parameter_definition())},
                          {"textures", named(texture_definition())},
-                         {"nodes", named(reference("node"))},
+                         {"nodes", named(reference("named_node"))},
                          {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
                          {"surface", surface_definition()},
                          {"budget", budget_definition()}},

@@ -39,6 +39,14 @@ ValueId mix_color(LowerContext& context, FieldValues values) {
     return context.builder().add(Op::mix_color, {a, b, context.number(values[2])});
 }
 
+ValueId constant(LowerContext& context, FieldValues values) {
+    return context.number(values[0]);
+}
+
+ValueId constant_color(LowerContext& context, FieldValues values) {
+    return context.color(values[0]);
+}
+
 ValueId select(LowerContext& context, FieldValues values) {
     ValueId a = context.number(values[1]), b = context.number(values[2]);
     return context.builder().add(Op::mix, {b, a, context.number(values[0])});
@@ -183,6 +191,11 @@ std::vector<NodeKind> arithmetic() {
     Field a = number("a", "first number"), b = number("b", "second number"), x = number("x", "the number");
     Field t = number("t", "0 gives a, 1 gives b");
     return {
+        {.name = "constant",
+         .doc = "a number under a name; of the 'nodes', 0.5 or \"$parameter\" is short for it",
+         .result = Type::Scalar,
+         .fields = {number("value", "the number")},
+         .lower = constant},
         {.name = "add",
          .doc = "a + b",
          .result = Type::Scalar,
@@ -251,6 +264,11 @@ std::vector<NodeKind> arithmetic() {
 std::vector<NodeKind> color_arithmetic() {
     Field t = number("t", "0 gives a, 1 gives b");
     return {
+        {.name = "constant_color",
+         .doc = "a colour under a name; of the 'nodes', [0.2, 0.3, 0.1] or \"$parameter\" is short for it",
+         .result = Type::Color,
+         .fields = {color("value", "linear rgb")},
+         .lower = constant_color},
         {.name = "add_color",
          .doc = "a + b, per channel",
          .result = Type::Color,

@@ -176,13 +176,40 @@ void Reader::node(const Value& value, const std::string& pointer, std::size_t in
     out.nodes[index].entries = std::move(found);
 }
 
+// A named node that is a number, a colour or a "$parameter" is short for one that has this value.
+bool Reader::constant_node(ObjectReader& nodes, const json::Member& member, std::size_t index) {
+    const Value& value = member.value;
+    bool reference = value.kind == json::Kind::string && value.string.starts_with('$');
+    bool color = value.kind == json::Kind::array;
+    if (!reference && !color && value.kind != json::Kind::number) return false;
+    for (const ParameterDecl& p : out.parameters) {
+        if (reference && p.name.value == value.string.substr(1))
+            color = p.type == ParameterType::color || p.type == ParameterType::vec3;
+    }
+    const NodeKind* kind = layers::find_node_kind(color ? "constant_color" : "constant");
+    const Field& field = kind->fields.front();
+    auto found = expression(nodes, member.key, color ? 3 : 1, {field.minimum, field.maximum}, false, true);
+    out.nodes[index].at = nodes.at(member.key, value);
+    if (!found) return true;
+    FieldEntry entry{.field = 0, .at = found->at};
+    entry.expression = std::move(*found);
+    out.nodes[index].kind = kind;
+    out.nodes[index].entries.push_back(std::move(entry));
+    return true;
+}
+
 // All names are known before any node is read, so that nodes written in place come behind them.
 void Reader::named_nodes(ObjectReader& reader) {
     auto members = reader.named("nodes");
+    if (members.empty()) return;
+    const Value& whole = *reader.get("nodes");
+    ObjectReader nodes = object(whole, reader.at("nodes", whole).pointer, "nodes", all_keys(whole));
     for (const auto& [member, pointer] : members) {
         out.nodes.push_back({.name = {member->key, {member->key_span, pointer}}});
     }
-    for (std::size_t i = 0; i < members.size(); ++i) node(members[i].first->value, members[i].second, i);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (!constant_node(nodes, *members[i].first, i)) node(members[i].first->value, members[i].second, i);
+    }
 }
 
 }  // namespace sg::material

@@ -38,6 +38,7 @@ struct Reader {
     std::optional<LayerDecl> group(const json::Value& value, const std::string& pointer);
     std::optional<ParallaxDecl> parallax(const json::Value& value, const std::string& pointer);
     void named_nodes(ObjectReader& reader);
+    bool constant_node(ObjectReader& nodes, const json::Member& member, std::size_t index);
     void node(const json::Value& value, const std::string& pointer, std::size_t index);
 
     // read_fields.cpp
