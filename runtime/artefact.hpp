@@ -79,9 +79,9 @@ struct ParameterBlock {
 
 struct TextureSlot {
     enum class Encoding { plain, normal_xyz, normal_xy };
-    std::string name;
-    std::string file;  // as the author wrote it, relative to the texture root
-    std::string hash;
+    std::string name;           // "$name": of a parameter
+    std::string file;           // as the author wrote it, relative to the texture root
+    std::string hash;           // "": not known
     std::uint32_t binding = 0;  // in set 1
     Encoding encoding = Encoding::plain;
     double zero = 127.5;

@@ -176,8 +176,9 @@ void add_options(CLI::App& app, Arguments& out, Texts& texts) {
     app.add_option("--ortho", out.ortho_height,
                    "an orthographic camera that sees so many world units vertically");
     app.add_option("--light", texts.light, "X,Y,Z: the direction towards the light, world axes");
-    app.add_option("--param", out.parameters,
-                   "NAME=VALUE or NAME=V,V,V: a parameter of the material (repeatable)")
+    app.add_option(
+           "--param", out.parameters,
+           "NAME=VALUE, NAME=V,V,V or, of a texture, NAME=FILE: a parameter of the material (repeatable)")
         ->allow_extra_args(false);
     app.add_option("--time", out.time, "seconds")->capture_default_str();
     app.add_option("--exposure", out.exposure, "stops, of the lit view's PNG")->capture_default_str();

@@ -75,7 +75,8 @@ std::optional<Job> prepare(const Arguments& arguments, const std::filesystem::pa
     Job job;
     job.artefact = std::move(*artefact);
     choose_views(arguments, view, job, diags);
-    auto parameters = pack_parameters(job.artefact, arguments.parameters, diags);
+    const std::vector<std::string> numbers = exchange_textures(job.artefact, arguments.parameters);
+    auto parameters = pack_parameters(job.artefact, numbers, diags);
     auto textures = load_textures(files, job.artefact, root, diags);
     auto content = load_content(files, arguments.mesh, arguments.mesh_material, diags,
                                 static_cast<int>(arguments.detail));

@@ -52,7 +52,7 @@ std::optional<std::vector<asset::Image>> load(Files& files, const TextureSlot& s
     }
     auto bytes = read_or_report(files, path, diags);
     if (!bytes) return std::nullopt;
-    if (content_hash(*bytes) != slot.hash) {
+    if (!slot.hash.empty() && content_hash(*bytes) != slot.hash) {
         diags.warning(Code::manifest_mismatch, Place{},
                       fmt::format("texture '{}' has changed since the material was compiled", shown));
     }
@@ -62,6 +62,22 @@ std::optional<std::vector<asset::Image>> load(Files& files, const TextureSlot& s
 }
 
 }  // namespace
+
+std::vector<std::string> exchange_textures(Artefact& artefact, std::span<const std::string> settings) {
+    std::vector<std::string> left;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        bool taken = false;
+        for (TextureSlot& slot : artefact.textures) {
+            if (equals == std::string::npos || slot.name != "$" + setting.substr(0, equals)) continue;
+            slot.file = setting.substr(equals + 1);
+            slot.hash.clear();  // whatever it holds
+            taken = true;
+        }
+        if (!taken) left.push_back(setting);
+    }
+    return left;
+}
 
 std::optional<TextureSet> load_textures(Files& files, const Artefact& artefact,
                                         const std::filesystem::path& root, Diags& diags) {

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "asset/image.hpp"
@@ -16,6 +18,10 @@ namespace sg::runtime {
 struct TextureSet {
     std::vector<std::vector<asset::Image>> chains;
 };
+
+// Settings "NAME=FILE" of parameters of type texture put another file, encoded alike, in the place of the
+// texture that the parameter stands for. Gives the settings that are left.
+std::vector<std::string> exchange_textures(Artefact& artefact, std::span<const std::string> settings);
 
 // Files are looked up below `root` and never outside it. Fails with file_missing, path_escapes or what
 // read_image reports; a picture whose hash differs from the manifest's is only a warning.

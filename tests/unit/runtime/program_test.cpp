@@ -139,6 +139,24 @@ TEST_F(Program, FindsTexturesBelowTheirRoot) {
     expect("sample.json -o a.png --size 16 --texture-root root", 0, "");
 }
 
+// A texture parameter: the picture is that of the instance which has the same values.
+TEST_F(Program, ExchangesTextures) {
+    const std::string base = "'" SG_SOURCE_DIR "/materials/switches.json' --size 64 ";
+    const std::string values = "--param painted=false --param repeats=2 --param depth=0.6 ";
+    expect("'" SG_SOURCE_DIR "/materials/switches_worn.json' --size 64 -o instance.pfm", 0, "");
+    expect(base + values + "--param bumps=textures/ramp_normal.png -o exchanged.pfm", 0, "");
+    expect(base + values + "-o bricks.pfm", 0, "");
+    EXPECT_TRUE(files_.read(folder_ / "instance.pfm").bytes == files_.read(folder_ / "exchanged.pfm").bytes);
+    EXPECT_FALSE(files_.read(folder_ / "instance.pfm").bytes == files_.read(folder_ / "bricks.pfm").bytes);
+    expect(base + "--param bumps=textures/none.png -o a.png", 1,
+           "error: texture '$bumps' is missing: no file 'textures/none.png' below '" SG_SOURCE_DIR
+           "/materials'; --texture-root names another folder [SG1301]\n");
+    expect(
+        base + "--param bump=textures/ramp_normal.png -o a.png", 1,
+        "error: material 'painted bricks' has no parameter 'bump', did you mean 'bumps'? (it has 'painted', "
+        "'repeats', 'depth', 'paint' or 'bumps') [SG2104]\n");
+}
+
 TEST_F(Program, WarnsOfAChangedTexture) {
     asset::Image other = asset::make_image(2, 2, asset::TexelFormat::unorm8);
     ASSERT_EQ(files_.write_all({{folder_ / "pictures/paint.png", asset::png_bytes(other)}}), "");
