@@ -260,4 +260,23 @@ double rib_height(double s, double) {
     return 0.016 * wave(4.0 * s);
 }
 
+// Wind on water: seven trains of waves, most towards +s and +t, steep in front and long behind.
+double ripple_height(double s, double t) {
+    struct Train {
+        int along_s, along_t;
+        double height, phase;
+    };
+    constexpr Train kTrains[] = {{1, 2, 0.0150, 0.15},
+                                 {3, 1, 0.0120, 0.62},
+                                 {2, 5, 0.0055, 0.37},
+                                 {-1, 4, 0.0060, 0.81},
+                                 {5, 2, 0.0040, 0.05}};
+    double sum = 0.0;
+    for (const Train& train : kTrains) {
+        const double x = train.along_s * s + train.along_t * t + train.phase;
+        sum += train.height * wave(x + 0.09 * wave(x + 0.25));
+    }
+    return sum;
+}
+
 }  // namespace sg::samples

@@ -14,5 +14,6 @@ double ramp_height(double s, double t);
 double pebble_height(double s, double t);
 double dome_height(double s, double t);
 double rib_height(double s, double t);
+double ripple_height(double s, double t);
 
 }  // namespace sg::samples

@@ -37,9 +37,13 @@ runtime::gpu::Device& device() {
     return instance;
 }
 
+// Without the holes of an alpha test: every pixel's normal is compared, and what is seen from outside is
+// front faces alone.
 truth::Recipe recipe_of(const std::string& sample, std::vector<std::string> entries) {
     static const std::map<std::string, std::string> kFiles = truth::sample_files();
-    return {kFiles.at(sample), kFiles, std::move(entries), true};
+    auto material = nlohmann::ordered_json::parse(kFiles.at(sample));
+    if (material.contains("surface")) material["surface"].erase("alpha_test");
+    return {material.dump(2), kFiles, std::move(entries), true};
 }
 
 // Isotropic: how a driver places the samples of an anisotropic filter is its own affair.

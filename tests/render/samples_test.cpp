@@ -60,6 +60,8 @@ std::size_t covered_count(const runtime::Picture& picture) {
 // range can give.
 double least_roughness(const nlohmann::json& material, const nlohmann::json& written) {
     if (written.is_number()) return written.get<double>();
+    if (written.is_string() && written.get<std::string>().starts_with('@'))
+        return least_roughness(material, material.at("nodes").at(written.get<std::string>().substr(1)));
     if (written.is_string())
         return material.at("parameters").at(written.get<std::string>().substr(1)).at("default").get<double>();
     if (written.contains("to"))
