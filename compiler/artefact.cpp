@@ -231,7 +231,7 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
                      {"entry_points", entries}};
     if (!input.material->shaders.empty() || !input.material->bases.empty())
         manifest["sources"] = sources_json(input);
-    if (!input.material->parameters.empty()) manifest["parameter_block"] = parameter_block_json(input);
+    if (input.interface->block_size > 0) manifest["parameter_block"] = parameter_block_json(input);
     manifest["textures"] = textures_json(input);
     manifest["samplers"] = samplers_json(input);
     if (input.function)

@@ -79,7 +79,7 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
     if (!checked) return std::nullopt;
 
     std::size_t before = diags.error_count();
-    ir::Module lowered = material::lower(*checked);
+    ir::Module lowered = material::lower(*checked, material::Custom::called, request.numbers);
     ir::Module optimised = request.optimise_ir ? opt::optimise(lowered, request.skipped_rule) : lowered;
     SamplerGroups samplers = group_samplers(*checked);
     emit::MaterialInterface interface = emit::material_interface(optimised, samplers.group);

@@ -9,6 +9,7 @@
 
 #include "base/diag.hpp"
 #include "base/files.hpp"
+#include "layers/lower_context.hpp"
 #include "material/material.hpp"
 #include "target/shader_library.hpp"
 #include "target/spirv.hpp"
@@ -24,6 +25,7 @@ struct CompileRequest {
     std::vector<const target::Target*> targets{target::find_target("spirv")};
     target::SpirvOptions spirv;
     bool optimise_ir = true;
+    layers::Numbers numbers = layers::Numbers::baked;
     std::vector<std::pair<std::string, std::string>> defines;  // macros of the user's GLSL: name and value
     material::Budget budget;   // beside the material's own; its places count for nothing
     std::string skipped_rule;  // of the optimiser; for measurements

@@ -124,7 +124,7 @@ public:
 
 private:
     [[nodiscard]] ForwardCost measured() const {
-        ir::Module module = material::lower(material_);
+        ir::Module module = material::lower(material_, material::Custom::called, request_.numbers);
         if (request_.optimise_ir) module = opt::optimise(module, request_.skipped_rule);
         emit::MaterialInterface interface = emit::material_interface(module, group_samplers(material_).group);
         return forward_cost(module, interface, request_.stem, library_, request_.spirv);
@@ -175,7 +175,7 @@ std::optional<std::string> explain_material(const CompileRequest& request, Files
                                             const target::ShaderLibrary& library, Diags& diags) {
     auto checked = read_and_verify(request, files, library, diags);
     if (!checked) return std::nullopt;
-    ir::Module before = material::lower(*checked);
+    ir::Module before = material::lower(*checked, material::Custom::called, request.numbers);
     opt::Log log;
     ir::Module after = opt::optimise(before, request.skipped_rule, &log);
     Remarks remarks(before, log);

@@ -38,6 +38,7 @@ struct Options {
     std::vector<std::string> emit;
     std::vector<std::string> budget;
     std::vector<std::string> defines;
+    std::string numbers = "baked";
     std::string name;
     std::string diagnostics = "human";
     std::string color = "auto";
@@ -107,6 +108,8 @@ sg::CompileRequest make_request(sg::SourcePtr source, const std::string& file, c
     request.spirv.optimise = options.o0 ? none : options.os ? size : speed;
     request.spirv.debug_info = options.debug;
     request.optimise_ir = !options.o0;
+    request.numbers =
+        options.numbers == "uniforms" ? sg::layers::Numbers::uniforms : sg::layers::Numbers::baked;
     for (const std::string& word : options.budget) set_limit(word, request.budget);
     for (const std::string& word : options.defines) request.defines.push_back(split_define(word));
     return request;
@@ -212,6 +215,12 @@ void add_input_options(CLI::App& command, Options& options) {
             auto [name, value] = split_define(word);
             return sg::custom::define_fault(name, value);
         });
+    command
+        .add_option("--numbers", options.numbers,
+                    "where written numbers go: into the shader, or into the parameter block, so that "
+                    "materials which differ in numbers share a shader")
+        ->check(CLI::IsMember({"baked", "uniforms"}))
+        ->capture_default_str();
     command.add_option("--name", options.name, "name of standard input in messages and of its files");
     add_message_options(command, options);
 }

@@ -1,5 +1,7 @@
 #include "ir/ir.hpp"
 
+#include <algorithm>
+
 #include "base/ice.hpp"
 
 namespace sg::ir {
@@ -217,6 +219,19 @@ ValueId Builder::constant(Type type, std::array<double, 4> number) {
 ValueId Builder::parameter(ParameterId parameter) {
     return push(
         {.op = Op::parameter, .type = module_.parameters[parameter.index].type, .index = parameter.index});
+}
+
+std::uint32_t Builder::lift(Type type, std::array<double, 4> number, std::string name) {
+    const auto end = number.begin() + static_cast<std::ptrdiff_t>(component_count(type));
+    const bool positive = std::all_of(number.begin(), end, [](double x) { return x > 0; });
+    module_.host.push_back({.op = Op::constant, .type = type, .number = number});
+    const ValueId host{static_cast<std::uint32_t>(module_.host.size() - 1)};
+    module_.derived.push_back({std::move(name), type, host, positive});
+    return static_cast<std::uint32_t>(module_.derived.size() - 1);
+}
+
+ValueId Builder::derived(std::uint32_t index) {
+    return push({.op = Op::derived, .type = module_.derived[index].type, .index = index});
 }
 
 void Builder::output(Output which, ValueId value, std::uint32_t set) {

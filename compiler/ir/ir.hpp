@@ -162,6 +162,8 @@ struct Derived {
     std::string name;
     Type type{};   // as of a parameter
     ValueId host;  // into Module::host
+    bool positive =
+        false;  // a number that was lifted: all of it is above 0, in every material of this structure
 };
 
 // What may leave a module, with the type it must have.
@@ -236,6 +238,9 @@ public:
     ValueId add_zero(Op op, double zero, std::vector<ValueId> operands, std::string name = "");
     ValueId constant(Type type, std::array<double, 4> number);
     ValueId parameter(ParameterId parameter);
+    // A constant that the host hands over: the index of a new Module::derived, and its value.
+    std::uint32_t lift(Type type, std::array<double, 4> number, std::string name);
+    ValueId derived(std::uint32_t index);
     void set_layer(LayerId layer) { layer_ = layer; }
     void output(Output which, ValueId value, std::uint32_t set = 0);
     Module& module() { return module_; }

@@ -169,6 +169,10 @@ private:
         found.type = type(in);
         in.expect('=');
         found.host = in.value_id();
+        if (!in.at_end()) {
+            found.positive = in.word() == "positive";
+            if (!found.positive) in.fail("expected 'positive' or nothing");
+        }
         module.derived.push_back(std::move(found));
     }
 

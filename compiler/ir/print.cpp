@@ -57,8 +57,8 @@ std::string print(const Module& module) {
     for (std::size_t i = 0; i < module.host.size(); ++i) out += "host " + value_line(i, module.host[i]);
     for (std::size_t i = 0; i < module.derived.size(); ++i) {
         const Derived& derived = module.derived[i];
-        out += fmt::format("derived {} {} : {} = %{}\n", i, quoted(derived.name, '"'),
-                           info(derived.type).name, derived.host.index);
+        out += fmt::format("derived {} {} : {} = %{}{}\n", i, quoted(derived.name, '"'),
+                           info(derived.type).name, derived.host.index, derived.positive ? " positive" : "");
     }
     for (std::size_t i = 0; i < module.shaders.size(); ++i)
         out += fmt::format("shader {} {}\n", i, quoted(module.shaders[i].file, '"'));

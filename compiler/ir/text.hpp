@@ -4,7 +4,7 @@
 //   texture 0 "scan" tangent_normal
 //   parameter 0 "detail" : Scalar 0 4     the range of each component, where there is one
 //   host %0 = parameter 0 : Scalar    computed before drawing, from parameters alone
-//   derived 0 "twice" : Scalar = %0   what the host hands over beside them
+//   derived 0 "twice" : Scalar = %0   (or "= %0 positive") what the host hands over beside them
 //   shader 0 "dents.glsl"             a file of the user's GLSL, without its text
 //   function 0 "dents" 0 Uv texture 0 of a shader, with its arguments
 //   %0 = position : Position

@@ -51,8 +51,17 @@ std::array<Vector, 3> axes_of(const Vector& degrees) {
              {s[1], -s[0] * c[1], c[0] * c[1]}}};
 }
 
-ValueId vector(LowerContext& context, const Vector& v) {
-    return context.builder().constant(Type::Vec3, {v[0], v[1], v[2]});
+// All that is made of where a decal lies: decals in one place share a projector. The axis that it looks along
+// is part 4.
+NumberPlace part_of_place(LowerContext& context, FieldValues values, std::size_t part) {
+    std::vector<double> numbers;
+    for (std::size_t field : {kPosition, kRotation, kSize})
+        numbers.insert(numbers.end(), values[field].number.begin(), values[field].number.end());
+    return {context.same_lookup(std::move(numbers)), part};
+}
+
+ValueId vector(LowerContext& context, const Vector& v, NumberPlace place) {
+    return context.written(Type::Vec3, {v[0], v[1], v[2]}, "projector", place);
 }
 
 // The projector's space: s runs along +x, t downward along +y, the image flies along +z (decal.glsl).
@@ -68,7 +77,8 @@ ValueId projector(LowerContext& context, FieldValues values) {
         }
     }
     std::vector<ValueId> operands;
-    for (const Vector& column : columns) operands.push_back(vector(context, column));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        operands.push_back(vector(context, columns[i], part_of_place(context, values, i)));
     return context.builder().add(Op::projector, operands, "projector");
 }
 
@@ -82,7 +92,8 @@ ValueId falloff(LowerContext& context, FieldValues values, ValueId decal) {
     std::vector<ValueId> operands{decal};
     std::uint32_t shape = values[kShape].index;
     if (shape == kCapsule) {
-        ValueId per_unit = context.constant(1 / values[kSize].number[2]);
+        ValueId per_unit =
+            context.written(1 / values[kSize].number[2], "per_unit", part_of_place(context, values, 5));
         operands.push_back(
             context.builder().add(Op::multiply, {context.number(values[kHalfLength]), per_unit}));
     }
@@ -95,12 +106,13 @@ ValueId angle_fade(LowerContext& context, FieldValues values) {
     ValueId n = context.normal();
     if (values[kSpace].index == static_cast<std::uint32_t>(Space::object))
         n = builder.add(Op::object_normal, {n}, "object_normal");
-    auto cosine = [&](double degrees) {
-        return context.constant(rounded(std::cos(degrees * std::numbers::pi / 180)));
-    };
     const Vector& angles = values[kAngleFade].number;
-    ValueId back = vector(context, axes_of(values[kRotation].number)[2]);
-    return builder.add(Op::decal_angle_fade, {n, back, cosine(angles[0]), cosine(angles[1])}, "angle_fade");
+    auto cosine = [&](std::size_t i) {
+        return context.written(rounded(std::cos(angles[i] * std::numbers::pi / 180)), "cosine", {&angles, i});
+    };
+    ValueId back = vector(context, axes_of(values[kRotation].number)[2], part_of_place(context, values, 4));
+    ValueId from = cosine(0);
+    return builder.add(Op::decal_angle_fade, {n, back, from, cosine(1)}, "angle_fade");
 }
 
 ValueId decal_at(LowerContext& context, FieldValues values) {

@@ -94,7 +94,8 @@ struct FieldValue {
     Coordinate uv;
     std::string word;  // identifier
     std::vector<Argument> arguments;
-    bool given = false;  // it stands in the file
+    bool given = false;      // it stands in the file
+    std::string_view field;  // its name
 };
 using FieldValues = std::span<const FieldValue>;
 

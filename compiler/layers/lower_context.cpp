@@ -14,13 +14,20 @@ using ir::Op;
 using ir::Type;
 using ir::ValueId;
 
+namespace {
+
+constexpr std::size_t kMaxLifted = 128;  // those behind them stay in the shader: a block has bounds
+
+}  // namespace
+
 LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts,
-                           std::vector<NodeInstance> nodes, Sides sides)
+                           std::vector<NodeInstance> nodes, Sides sides, Numbers numbers)
     : builder_(builder),
       facts_(std::move(facts)),
       nodes_(std::move(nodes)),
       node_values_(nodes_.size()),
-      sides_(sides) {}
+      sides_(sides),
+      numbers_(numbers) {}
 
 void LowerContext::set_layer(ir::LayerId layer) {
     layer_ = layer;
@@ -106,19 +113,29 @@ ValueId LowerContext::uv_set(std::uint32_t set) {
                   [&] { return builder_.add_indexed(Op::uv_set, set, {}, fmt::format("uv{}", set)); });
 }
 
+const void* LowerContext::lookup_of(const Coordinate& c) {
+    return same_lookup({static_cast<double>(c.set), c.scale[0], c.scale[1], c.rotation, c.offset[0],
+                        c.offset[1], c.speed[0], c.speed[1]});
+}
+
+ValueId LowerContext::scale_of(const Coordinate& c) {
+    return written(Type::Vec2, {c.scale[0], c.scale[1]}, "scale", {lookup_of(c), 0});
+}
+
 ValueId LowerContext::uv(const Coordinate& c) {
     ValueId base = base_uv(c.set);
     if (c.is_plain()) return base;
-    ValueId scale = builder_.constant(Type::Vec2, {c.scale[0], c.scale[1]});
+    const void* lookup = lookup_of(c);
+    ValueId scale = scale_of(c);
     bool moves = c.speed != std::array{0.0, 0.0};
     if (c.rotation == 0 && c.offset == std::array{0.0, 0.0} && !moves)
         return builder_.add(Op::uv_scale, {base, scale}, "uv");
-    ValueId offset = builder_.constant(Type::Vec2, {c.offset[0], c.offset[1]});
+    ValueId offset = written(Type::Vec2, {c.offset[0], c.offset[1]}, "offset", {lookup, 1});
     if (moves) {
-        ValueId speed = builder_.constant(Type::Vec2, {c.speed[0], c.speed[1]});
+        ValueId speed = written(Type::Vec2, {c.speed[0], c.speed[1]}, "speed", {lookup, 2});
         offset = builder_.add(Op::drift, {offset, speed, time()}, "drift");
     }
-    ValueId rotation = constant(c.rotation * std::numbers::pi / 180);
+    ValueId rotation = written(c.rotation * std::numbers::pi / 180, "rotation", {lookup, 3});
     return builder_.add(Op::uv_transform, {base, scale, rotation, offset}, "uv");
 }
 
@@ -139,13 +156,33 @@ ValueId LowerContext::constant(double number) {
     return builder_.constant(Type::Scalar, {number});
 }
 
+ValueId LowerContext::written(Type type, const std::array<double, 4>& number, std::string_view name,
+                              NumberPlace place) {
+    ir::Module& module = builder_.module();
+    if (numbers_ == Numbers::baked) return builder_.constant(type, number);
+    auto [slot, fresh] = slots_.try_emplace({place.at, place.part}, module.derived.size());
+    if (fresh) {
+        if (module.derived.size() >= kMaxLifted) {
+            slots_.erase(slot);
+            return builder_.constant(type, number);
+        }
+        std::string owner(layer_.valid() ? std::string_view(module.layers[layer_.index].id) : node_);
+        builder_.lift(type, number, owner + (owner.empty() ? "" : "_") + std::string(name));
+    }
+    return builder_.derived(slot->second);
+}
+
 ValueId LowerContext::number(const FieldValue& value) {
     if (value.node.valid()) return node(value.node, Type::Scalar);
-    return value.parameter.valid() ? builder_.parameter(value.parameter) : constant(value.number[0]);
+    if (value.parameter.valid()) return builder_.parameter(value.parameter);
+    return written(value.number[0], value.field, {&value});
 }
 
 ValueId LowerContext::pair(const FieldValue& value) {
-    if (!value.parameter.valid()) return builder_.constant(Type::Vec2, {value.number[0], value.number[1]});
+    if (!value.parameter.valid()) {
+        const void* lookup = same_lookup({value.number[0], value.number[1]});
+        return written(Type::Vec2, {value.number[0], value.number[1]}, value.field, {lookup});
+    }
     ValueId parameter = builder_.parameter(value.parameter);
     bool scalar = builder_.module().at(parameter).type == Type::Scalar;
     return scalar ? builder_.add(Op::splat, {parameter}) : parameter;
@@ -154,7 +191,8 @@ ValueId LowerContext::pair(const FieldValue& value) {
 ValueId LowerContext::color(const FieldValue& value) {
     if (value.node.valid()) return node(value.node, Type::Color);
     if (!value.parameter.valid()) {
-        return builder_.constant(Type::Color, {value.number[0], value.number[1], value.number[2]});
+        return written(Type::Color, {value.number[0], value.number[1], value.number[2]}, value.field,
+                       {&value});
     }
     ValueId parameter = builder_.parameter(value.parameter);
     bool is_color = builder_.module().at(parameter).type == Type::Color;
@@ -166,7 +204,9 @@ ValueId LowerContext::lowered(NodeId id) {
     const NodeInstance& instance = nodes_[id.index];
     return shared(node_values_[id.index], [&] {
         ++depth_;
+        std::string_view outer = std::exchange(node_, instance.name);
         ValueId made = instance.kind->lower(*this, instance.values);
+        node_ = outer;
         --depth_;
         ir::Value& last = builder_.module().values[made.index];
         if (last.name.empty()) last.name = instance.name;
@@ -215,8 +255,7 @@ MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue&
         if (from_vertex)
             place.vertex_basis = builder_.add(Op::basis_mirror, {place.vertex_basis, scale}, "basis");
     };
-    if (coordinate.scale != std::array{1.0, 1.0})
-        turn(builder_.constant(Type::Vec2, {coordinate.scale[0], coordinate.scale[1]}));
+    if (coordinate.scale != std::array{1.0, 1.0}) turn(scale_of(coordinate));
     if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
         ValueId scale = pair(tiling);
         place.uv = builder_.add(Op::uv_scale, {place.uv, scale}, "uv");
@@ -244,7 +283,8 @@ ValueId LowerContext::map_deriv(ir::TextureId texture, ValueId uv) {
     ValueId texel = this->texel(texture, uv);
     ValueId deriv;
     if (encoding == derivative) {
-        deriv = builder_.add_zero(Op::decode_derivative, f.zero, {texel, constant(f.range)}, "deriv");
+        deriv = builder_.add_zero(Op::decode_derivative, f.zero, {texel, written(f.range, "range", {&f})},
+                                  "deriv");
     } else {
         bool xyz = encoding == tangent_normal;
         ValueId m =
@@ -269,7 +309,7 @@ ValueId LowerContext::call(Op op, std::uint32_t shader, const std::string& name,
                 operands.push_back(uv(a.uv));
                 break;
             case Argument::Kind::numbers:
-                operands.push_back(builder_.constant(a.type, a.number));
+                operands.push_back(written(a.type, a.number, "argument", {&a}));
                 break;
             case Argument::Kind::parameter:
                 operands.push_back(builder_.parameter(a.parameter));

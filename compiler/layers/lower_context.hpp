@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,11 +46,22 @@ struct MapPlace {
     ir::ValueId uv, vertex_basis;
 };
 
+// What becomes of the numbers that a material's author wrote: constants of the shader, or derived parameters
+// whose expression is the number, so that materials which differ in numbers alone share a shader.
+enum class Numbers { baked, uniforms };
+
+// Where a number stands in the checked material. The same place is handed over once, however often it is
+// lowered.
+struct NumberPlace {
+    const void* at = nullptr;
+    std::size_t part = 0;  // one of several that are made from what stands there
+};
+
 class LowerContext {
 public:
     // `facts` has one entry per texture of the module.
     LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts, std::vector<NodeInstance> nodes,
-                 Sides sides);
+                 Sides sides, Numbers numbers = Numbers::baked);
 
     ir::Builder& builder() { return builder_; }
     // Values that are made from here on belong to this layer; shared ones belong to none.
@@ -82,7 +94,18 @@ public:
     ir::ValueId time();
     ir::ValueId vertex_color();
 
+    // A number of the language's own, always baked.
     ir::ValueId constant(double number);
+    // One that was written, or that follows from such.
+    ir::ValueId written(ir::Type type, const std::array<double, 4>& number, std::string_view name,
+                        NumberPlace place);
+    ir::ValueId written(double number, std::string_view name, NumberPlace place) {
+        return written(ir::Type::Scalar, {number}, name, place);
+    }
+    // For numbers that say where something is looked up: where all of them are equal, the lookup is shared.
+    const void* same_lookup(std::vector<double> numbers) {
+        return &*lookups_.insert(std::move(numbers)).first;
+    }
     ir::ValueId number(const FieldValue& value);
     ir::ValueId pair(const FieldValue& value);
     ir::ValueId color(const FieldValue& value);
@@ -117,6 +140,8 @@ public:
 private:
     template <class Make>
     ir::ValueId shared(ir::ValueId& slot, Make make);
+    const void* lookup_of(const Coordinate& coordinate);
+    ir::ValueId scale_of(const Coordinate& coordinate);
     ir::ValueId node(NodeId id, ir::Type wanted);
     ir::ValueId lowered(NodeId id);
     void lower_operands(NodeId id);
@@ -139,6 +164,10 @@ private:
     std::vector<ir::ValueId> node_values_;
     std::size_t depth_ = 0;  // of nodes that are being lowered
     Sides sides_;
+    Numbers numbers_;
+    std::map<std::pair<const void*, std::size_t>, std::uint32_t> slots_;
+    std::set<std::vector<double>> lookups_;
+    std::string_view node_;  // that is being lowered
     ir::LayerId layer_;
     ir::ValueId vertex_normal_, position_, facing_, time_, vertex_color_, vertex_tangents_;
     std::array<ir::ValueId, 2> volumes_;

@@ -67,8 +67,10 @@ ValueId remap(LowerContext& context, FieldValues values) {
     const auto& to = values[2].number;
     double slope = (to[1] - to[0]) / (from[1] - from[0]);
     ValueId x = context.number(values[0]);
-    ValueId scaled = context.builder().add(Op::multiply, {x, context.constant(slope)});
-    return context.builder().add(Op::add, {scaled, context.constant(to[0] - slope * from[0])});
+    ValueId scaled =
+        context.builder().add(Op::multiply, {x, context.written(slope, "slope", {values.data(), 0})});
+    return context.builder().add(
+        Op::add, {scaled, context.written(to[0] - slope * from[0], "start", {values.data(), 1})});
 }
 
 std::optional<FieldFault> check_remap(FieldValues values) {
@@ -81,8 +83,9 @@ std::optional<FieldFault> check_remap(FieldValues values) {
 // 0 to 1 over a range, if there is one.
 ValueId over_range(LowerContext& context, ValueId value, const FieldValue& range) {
     if (!range.given) return value;
-    ValueId low = context.constant(range.number[0]);
-    return context.builder().add(Op::smoothstep, {low, context.constant(range.number[1]), value});
+    ValueId low = context.written(range.number[0], "low", {&range, 0});
+    ValueId high = context.written(range.number[1], "high", {&range, 1});
+    return context.builder().add(Op::smoothstep, {low, high, value});
 }
 
 ValueId texel(LowerContext& context, FieldValues values) {
@@ -109,7 +112,7 @@ ValueId vertex_rgb(LowerContext& context, FieldValues) {
 ValueId slope(LowerContext& context, FieldValues values) {
     const auto& up = values[0].number;
     ValueId n = context.normal();
-    ValueId direction = context.builder().constant(Type::Vec3, {up[0], up[1], up[2]});
+    ValueId direction = context.written(Type::Vec3, {up[0], up[1], up[2]}, "up", {values.data()});
     return over_range(context, context.builder().add(Op::slope, {n, direction}), values[1]);
 }
 

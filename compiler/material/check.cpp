@@ -102,6 +102,12 @@ void Checker::surface() {
     expression(s.occlusion, FieldKind::number, {0, 1}, out.surface.occlusion);
     expression(s.emission, FieldKind::color, {0, 1e4}, out.surface.emission);
     expression(s.opacity, FieldKind::number, {0, 1}, out.surface.opacity);
+    out.surface.base_color.field = "base_color";
+    out.surface.metallic.field = "metallic";
+    out.surface.roughness.field = "roughness";
+    out.surface.occlusion.field = "occlusion";
+    out.surface.emission.field = "emission";
+    out.surface.opacity.field = "opacity";
     out.surface.alpha_test = s.alpha_test;
     out.surface.two_sided = s.two_sided;
 }

@@ -133,7 +133,7 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
                                         std::span<const FieldEntry> entries) {
     std::vector<FieldValue> out_values;
     for (const Field& row : fields) {
-        FieldValue value{.number = {row.fallback, row.fallback, row.fallback}};
+        FieldValue value{.number = {row.fallback, row.fallback, row.fallback}, .field = row.name};
         if (row.kind == FieldKind::choice || row.kind == FieldKind::integer)
             value.index = static_cast<std::uint32_t>(row.fallback);
         out_values.push_back(value);

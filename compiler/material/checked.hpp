@@ -105,6 +105,7 @@ enum class Custom { called, replaced };
 bool has_reference(const CheckedMaterial& material);
 
 // Lowers to a verified module whose outputs are everything that an entry point can ask for.
-ir::Module lower(const CheckedMaterial& material, Custom custom = Custom::called);
+ir::Module lower(const CheckedMaterial& material, Custom custom = Custom::called,
+                 layers::Numbers numbers = layers::Numbers::baked);
 
 }  // namespace sg::material

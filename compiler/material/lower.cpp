@@ -12,13 +12,13 @@ using ir::ValueId;
 
 class Lowering {
 public:
-    Lowering(const CheckedMaterial& material, Custom custom)
+    Lowering(const CheckedMaterial& material, Custom custom, layers::Numbers numbers)
         : material_(material),
           custom_(custom),
           module_(declarations(material)),
           builder_(module_),
           context_(builder_, facts(material), material.nodes,
-                   static_cast<layers::Sides>(material.surface.two_sided)) {}
+                   static_cast<layers::Sides>(material.surface.two_sided), numbers) {}
 
     ir::Module run() {
         ValueId gradient, normal;
@@ -122,7 +122,9 @@ private:
         builder_.output(ir::Output::occlusion, context_.number(s.occlusion));
         builder_.output(ir::Output::emission, context_.color(s.emission));
         builder_.output(ir::Output::opacity, context_.number(s.opacity));
-        if (s.alpha_test) builder_.output(ir::Output::cutoff, context_.constant(*s.alpha_test));
+        if (s.alpha_test)
+            builder_.output(ir::Output::cutoff,
+                            context_.written(*s.alpha_test, "alpha_test", {&s.alpha_test}));
     }
 
     // What the debug entry shows of the inputs.
@@ -194,8 +196,8 @@ bool has_reference(const CheckedMaterial& material) {
                        [&](const auto& stage) { return known(known, stage); });
 }
 
-ir::Module lower(const CheckedMaterial& material, Custom custom) {
-    ir::Module module = Lowering(material, custom).run();
+ir::Module lower(const CheckedMaterial& material, Custom custom, layers::Numbers numbers) {
+    ir::Module module = Lowering(material, custom, numbers).run();
     std::string faults = ir::verify(module);
     if (!faults.empty()) SG_UNREACHABLE("lowering made a bad module:\n" + faults);
     return module;

@@ -60,6 +60,9 @@ public:
     [[nodiscard]] const ir::Parameter& parameter(const ir::Value& value) const {
         return module_.parameters[value.index];
     }
+    [[nodiscard]] const ir::Derived& derived(const ir::Value& value) const {
+        return module_.derived[value.index];
+    }
     // The operand's value if it is of this operation, else null.
     [[nodiscard]] const ir::Value* operand(const ir::Value& value, std::size_t index, ir::Op op) const;
     ir::Module take() { return std::move(module_); }

@@ -95,11 +95,52 @@ void note(Log& log, const ir::Module& module, const Facts& facts, std::string_vi
 
 }  // namespace
 
+namespace {
+
+// Keeps those that the shader still reads, and what the host needs for them.
+ir::Module drop_unread(ir::Module module) {
+    std::vector<bool> read(module.derived.size()), wanted(module.host.size());
+    for (const Value& value : module.values) {
+        if (value.op == Op::derived) read[value.index] = true;
+    }
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (read[i]) wanted[module.derived[i].host.index] = true;
+    }
+    for (std::size_t i = module.host.size(); i-- > 0;) {
+        if (!wanted[i]) continue;
+        for (ValueId operand : module.host[i].operands) wanted[operand.index] = true;
+    }
+    std::vector<Value> host;
+    std::vector<ValueId> place(module.host.size());
+    for (std::size_t i = 0; i < module.host.size(); ++i) {
+        if (!wanted[i]) continue;
+        for (ValueId& operand : module.host[i].operands) operand = place[operand.index];
+        place[i] = {static_cast<std::uint32_t>(host.size())};
+        host.push_back(std::move(module.host[i]));
+    }
+    std::vector<ir::Derived> derived;
+    std::vector<std::uint32_t> index(read.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (!read[i]) continue;
+        index[i] = static_cast<std::uint32_t>(derived.size());
+        module.derived[i].host = place[module.derived[i].host.index];
+        derived.push_back(std::move(module.derived[i]));
+    }
+    for (Value& value : module.values) {
+        if (value.op == Op::derived) value.index = index[value.index];
+    }
+    module.host = std::move(host);
+    module.derived = std::move(derived);
+    return module;
+}
+
+}  // namespace
+
 ir::Module parameters_on_host(ir::Module module, const Rule& rule, Log* log) {
     const Facts facts = facts_of(module);
     auto first = static_cast<std::uint32_t>(module.derived.size());
     copy_to_host(module, facts);
-    if (module.derived.size() == first) return module;
+    if (module.derived.size() == first) return drop_unread(std::move(module));
     if (log) note(*log, module, facts, rule.name);
     for (std::size_t i = 0; i < module.values.size(); ++i) {
         Value& value = module.values[i];
@@ -110,7 +151,7 @@ ir::Module parameters_on_host(ir::Module module, const Rule& rule, Log* log) {
                      .name = value.name,
                      .layer = value.layer};
     }
-    return module;
+    return drop_unread(std::move(module));
 }
 
 }  // namespace sg::opt

@@ -23,6 +23,7 @@ bool is_positive_pair(const Rewriter& rewriter, ValueId id) {
         const auto& range = rewriter.parameter(value).range;
         return range && (*range)[0] > 0;
     }
+    if (value.op == Op::derived) return rewriter.derived(value).positive;
     const bool scalar = value.type == ir::Type::Scalar;
     return value.op == Op::constant && value.number[0] > 0 && (scalar || value.number[1] > 0);
 }

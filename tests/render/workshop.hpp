@@ -17,6 +17,7 @@ struct Recipe {
     std::map<std::string, std::string> files;
     std::vector<std::string> entries = {"normal"};
     bool optimise = true;  // both the IR and SPIR-V
+    layers::Numbers numbers = layers::Numbers::baked;
 };
 
 struct Made {
