@@ -34,6 +34,10 @@ public:
         }
         return value;
     }
+    bool flag(std::string_view key) {
+        const Value* value = get(key, Kind::boolean);
+        return value && value->boolean;
+    }
     std::string text(std::string_view key, bool required = false) {
         const Value* value = get(key, Kind::string, required);
         return value ? value->string : "";
@@ -133,6 +137,10 @@ Claim read_claim(const SourcePtr& source, const Value& value, const Figure& figu
     out.text = reader.text("text", true);
     out.picture = reader.text("picture", true);
     if (const std::string number = reader.text("number"); !number.empty()) out.number = number;
+    out.held = reader.flag("held");
+    if (out.held && !figure.held)
+        diags.error(Code::missing_key, out.place,
+                    "a claim about held weights needs \"held\": true in 'truth'");
     std::size_t kinds = 0;
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         const Value* limit = reader.get(kKinds[i], Kind::number);
@@ -159,6 +167,7 @@ void read_truth(const SourcePtr& source, const Value& value, Figure& out, Diags&
     Reader reader(source, value, "the truth", diags);
     out.truth = reader.text("material", true);
     out.heights = reader.texts("heights");
+    out.held = reader.flag("held");
     reader.finish();
 }
 

@@ -80,8 +80,8 @@ std::optional<DrawnPicture> draw_one(const Figure& figure, const FigurePicture& 
     return out;
 }
 
-std::optional<Picture> draw_truth(const Figure& figure, std::uint32_t shrink, runtime::gpu::Device& device,
-                                  Files& files, Diags& diags) {
+std::optional<TruePictures> draw_truth(const Figure& figure, std::uint32_t shrink,
+                                       runtime::gpu::Device& device, Files& files, Diags& diags) {
     auto compiled = compile(arguments_of(figure, figure.truth, {}, shrink), "normal", files, diags);
     if (!compiled) return std::nullopt;
     auto judge = make_judge(compiled->job, figure.mesh, compiled->located.manifest, figure.materials,
@@ -89,7 +89,7 @@ std::optional<Picture> draw_truth(const Figure& figure, std::uint32_t shrink, ru
     if (!judge) return std::nullopt;
     const auto positions = draw_positions(device, compiled->job, diags);
     if (!positions) return std::nullopt;
-    return true_normals(compiled->job, *judge, *positions);
+    return true_normals(compiled->job, *judge, *positions, figure.held);
 }
 
 // Grey by the cosine to the light: enough to see the shape.
@@ -123,7 +123,10 @@ double number(const Numbers& numbers, const std::string& name) {
 
 void judge_claim(const Claim& claim, DrawnFigure& out, Diags& diags) {
     const DrawnPicture& picture = picture_named(out, claim.picture);
-    double found = number(picture.numbers, claim.number);
+    auto angles = [&](const DrawnPicture& p) {
+        return number(claim.held ? p.held : p.numbers, claim.number);
+    };
+    double found = angles(picture);
     bool holds = false;
     std::string measured;
     switch (claim.kind) {
@@ -135,7 +138,7 @@ void judge_claim(const Claim& claim, DrawnFigure& out, Diags& diags) {
             break;
         case Claim::Kind::times: {
             const DrawnPicture& other = picture_named(out, claim.other);
-            const double least = number(other.numbers, claim.number);
+            const double least = angles(other);
             holds = found >= claim.value * least;
             measured = fmt::format("{}: {} {:.3g} degrees, {:.3g} times {:.3g} of {}, at least {:g}",
                                    picture.picture.label, claim.number, found, found / std::max(least, 1e-9),
@@ -169,14 +172,16 @@ std::optional<DrawnFigure> draw_figure(const Figure& figure, std::uint32_t shrin
     if (!figure.truth.empty()) {
         const auto truth = draw_truth(figure, shrink, device, files, diags);
         if (!truth) return std::nullopt;
-        out.truth = shaded(*truth, figure.light.value_or(runtime::Light{}.direction));
+        out.truth = shaded(truth->normal, figure.light.value_or(runtime::Light{}.direction));
         std::vector<Angles> all;
         double worst = 0;
         for (DrawnPicture& picture : out.pictures) {
-            all.push_back(angles_between(picture.normals, *truth));
+            all.push_back(angles_between(picture.normals, truth->normal));
             picture.numbers = numbers_of(all.back().degrees);
+            if (figure.held) picture.held = numbers_of(angles_between(picture.normals, truth->held).degrees);
             worst = std::max(worst, picture.numbers.p95);
         }
+        if (figure.held) out.neglected = numbers_of(angles_between(truth->normal, truth->held).degrees);
         // One scale for all pictures of the figure, so that they can be compared by eye.
         for (std::size_t i = 0; i < all.size(); ++i)
             out.pictures[i].error = asset::png_bytes(angle_map(all[i], round_scale(worst)));

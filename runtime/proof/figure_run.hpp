@@ -12,6 +12,7 @@ struct DrawnPicture {
     std::string lit;    // PNG for the eye
     std::string error;  // PNG, the map of angles; "" without a truth
     Numbers numbers;    // of the angles to the truth
+    Numbers held;       // and to that with its weights held, if the figure asks for it
     std::string json;   // the material
     std::string glsl;   // its fragment shader of the entry point `forward`
     runtime::Picture normals;
@@ -22,6 +23,7 @@ struct DrawnFigure {
     std::vector<DrawnPicture> pictures;
     std::string
         truth;  // PNG: normals of the displaced surface, lit by the direction of the light; "" without
+    Numbers neglected;  // of the angles between the truth and that with its weights held, if asked for
     std::vector<std::pair<std::string, bool>> claims;  // what was measured, and whether it holds
 };
 

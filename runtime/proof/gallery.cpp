@@ -137,10 +137,16 @@ void add_maps(const DrawnFigure& figure, std::string& page) {
     page +=
         "</div>\n<table><tr><th>degrees from the truth</th><th>median</th><th>95 %</th><th>99 "
         "%</th><th>largest</th></tr>\n";
-    for (const DrawnPicture& p : figure.pictures)
-        page += fmt::format(
-            "<tr><td>{}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td></tr>\n",
-            escaped(p.picture.label), p.numbers.median, p.numbers.p95, p.numbers.p99, p.numbers.max);
+    auto row = [&](const std::string& label, const Numbers& n) {
+        page +=
+            fmt::format("<tr><td>{}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td></tr>\n",
+                        escaped(label), n.median, n.p95, n.p99, n.max);
+    };
+    for (const DrawnPicture& p : figure.pictures) row(p.picture.label, p.numbers);
+    if (figure.figure.held) {
+        for (const DrawnPicture& p : figure.pictures) row(p.picture.label + ", weights held", p.held);
+        row("H grad w, which all leave out", figure.neglected);
+    }
     page += "</table>\n";
 }
 

@@ -68,7 +68,11 @@ int run(const Line& line, sg::Diags& diags) {
         for (const auto& p : one->pictures) {
             if (!figure.truth.empty())
                 fmt::print("  {}: {}\n", p.picture.label, sg::proof::text_of(p.numbers));
+            if (figure.held)
+                fmt::print("  {}, weights held: {}\n", p.picture.label, sg::proof::text_of(p.held));
         }
+        if (figure.held)
+            fmt::print("  H grad w, which all leave out: {}\n", sg::proof::text_of(one->neglected));
         drawn.push_back(std::move(*one));
     }
     if (!line.folder.empty()) {

@@ -223,19 +223,25 @@ std::optional<Judge> make_judge(const Job& job, std::string_view mesh, const std
     return out;
 }
 
-runtime::Picture true_normals(const Job& job, Judge& judge, const Picture& positions) {
-    Picture out{
-        asset::make_image(positions.values.width, positions.values.height, asset::TexelFormat::float32),
-        positions.coverage};
-    for (std::uint32_t y = 0; y < out.values.height; ++y) {
-        for (std::uint32_t x = 0; x < out.values.width; ++x) {
-            if (positions.coverage[std::size_t{y} * out.values.width + x] == 0) continue;
-            const asset::Image& v = positions.values;
+TruePictures true_normals(const Job& job, Judge& judge, const Picture& positions, bool held) {
+    const asset::Image& v = positions.values;
+    const Picture empty{asset::make_image(v.width, v.height, asset::TexelFormat::float32),
+                        std::vector<float>(positions.coverage.size(), 0.0f)};
+    TruePictures out{empty, empty};
+    auto put = [](Picture& picture, std::uint32_t x, std::uint32_t y, glm::dvec3 normal) {
+        if (normal == glm::dvec3(0)) return;  // the ray misses the surface
+        picture.coverage[std::size_t{y} * picture.values.width + x] = 1;
+        for (int c = 0; c < 3; ++c) picture.values.set(x, y, c, normal[c]);
+        picture.values.set(x, y, 3, 1);
+    };
+    for (std::uint32_t y = 0; y < v.height; ++y) {
+        for (std::uint32_t x = 0; x < v.width; ++x) {
+            if (positions.coverage[std::size_t{y} * v.width + x] == 0) continue;
             const glm::dvec3 point(v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2));
             const glm::dvec3 sight = job.scene.camera.ortho_height > 0 ? judge.camera.direction : point;
-            const glm::dvec3 truth = judge.truth->at(point, {x + 0.5, y + 0.5}, sight).normal;
-            for (int c = 0; c < 3; ++c) out.values.set(x, y, c, truth[c]);
-            out.values.set(x, y, 3, 1);
+            const TrueNormal truth = judge.truth->at(point, {x + 0.5, y + 0.5}, sight, held);
+            put(out.normal, x, y, truth.normal);
+            if (held) put(out.held, x, y, truth.held);
         }
     }
     return out;
@@ -246,7 +252,7 @@ std::optional<Angles> error_angles(runtime::gpu::Device& device, const Job& job,
         runtime::render(device, job.artefact, job.textures, job.scene, *job.view, job.options, diags);
     const auto positions = draw_positions(device, job, diags);
     if (!normals || !positions) return std::nullopt;
-    return angles_between(*normals, true_normals(job, judge, *positions));
+    return angles_between(*normals, true_normals(job, judge, *positions).normal);
 }
 
 int run_error_view(const Arguments& arguments, Files& files, Diags& diags) {

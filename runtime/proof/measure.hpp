@@ -29,8 +29,12 @@ std::optional<Judge> make_judge(const runtime::Job& job, std::string_view mesh,
 // The base surface's point that belongs to each pixel, relative to the camera.
 std::optional<runtime::Picture> draw_positions(runtime::gpu::Device& device, const runtime::Job& job,
                                                Diags& diags);
-// The truth at these points.
-runtime::Picture true_normals(const runtime::Job& job, Judge& judge, const runtime::Picture& positions);
+// The truth at these points, and if asked for that with all weights held as they are at each.
+struct TruePictures {
+    runtime::Picture normal, held;
+};
+TruePictures true_normals(const runtime::Job& job, Judge& judge, const runtime::Picture& positions,
+                          bool held = false);
 
 // Draws the normals and compares each with the truth at the point that its pixel shows.
 std::optional<Angles> error_angles(runtime::gpu::Device& device, const runtime::Job& job, Judge& judge,

@@ -38,21 +38,25 @@ struct Truth::Square {
     dvec3 right{0}, up{0};  // unit, object space, across the normal
     double facing = 1;
     dvec3 dpdx{0}, dpdy{0};  // world
+    dvec3 sight{0};          // from the camera, unit
     dvec3 object_dx{0}, object_dy{0};
     dvec2 st_dx{0}, st_dy{0};
 };
 
 Truth::Truth(const ir::Module& module, const ir::Bindings& bindings, std::map<std::string, Partner> partners,
              const Sight& sight)
-    : module_(module),
-      heights_(module, bindings, std::move(partners)),
-      evaluator_(module, bindings),
+    : partners_(std::move(partners)),
+      source_(relief_source(module)),
+      module_(source_ ? without_relief(module) : module),
+      heights_(module_, bindings, partners_),
+      evaluator_(module_, bindings),
       sight_(sight),
       normal_from_object_(glm::transpose(glm::inverse(dmat3(sight.world_from_object)))),
       object_from_world_(glm::inverse(sight.world_from_object)) {
-    ir::ValueId at = module.output(ir::Output::normal);
+    if (source_) relief_.emplace(module_, *source_, bindings, partners_, sight);
+    ir::ValueId at = module_.output(ir::Output::normal);
     while (at.valid()) {
-        const ir::Value& value = module.at(at);
+        const ir::Value& value = module_.at(at);
         if (value.op == ir::Op::flip) flips_ = true;
         if (value.op == ir::Op::mirror_normal) mirrors_ = true;
         if (value.op == ir::Op::resolve) stages_.push_back(value.operands[1]);
@@ -64,10 +68,12 @@ Truth::Truth(const ir::Module& module, const ir::Bindings& bindings, std::map<st
 }
 
 std::optional<NoHeight> Truth::missing() const {
+    std::optional<NoHeight> found = relief_ ? relief_->missing() : std::nullopt;
     for (ir::ValueId stage : stages_) {
-        if (auto found = heights_.missing(stage)) return found;
+        if (!found) found = heights_.missing(stage);
     }
-    return std::nullopt;
+    if (found && source_) found->value.index -= kFlatShift;
+    return found;
 }
 
 Truth::Square Truth::square_at(dvec3 point, dvec2 pixel, dvec3 sight) const {
@@ -77,6 +83,7 @@ Truth::Square Truth::square_at(dvec3 point, dvec2 pixel, dvec3 sight) const {
     out.right = glm::normalize(glm::cross(n, std::abs(n.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
     out.up = glm::cross(n, out.right);
     const dvec3 world_n = glm::normalize(normal_from_object_ * n);
+    out.sight = glm::normalize(sight);
     out.facing = glm::dot(sight, world_n) > 0 ? -1 : 1;
     const dvec3 foot = affine(sight_.world_from_object, out.middle.position) - sight_.camera;
     auto seen = [&](double x, double y) {
@@ -135,7 +142,39 @@ ir::PixelInputs Truth::inputs_at(const Square& square, const Foot& foot) const {
     out.time = sight_.time;
     out.world_from_object = dmat3(sight_.world_from_object);
     out.normal_from_object = normal_from_object_;
+    out.object_origin = affine(sight_.world_from_object, dvec3(0)) - sight_.camera;
+    // The line of sight of this pixel, whatever the projection.
+    out.camera = {false, sight_.camera, square.sight, sight_.relative_from_screen};
     return out;
+}
+
+ir::PixelInputs Truth::lifted_inputs(const Square& square, const Foot& foot) const {
+    ir::PixelInputs out = inputs_at(square, foot);
+    if (!relief_) return out;
+    const dvec3 n = (mirrors_ ? square.facing : 1.0) * out.vertex_normal;
+    out.position += relief_->height(foot) * n;
+    out.world.p = out.position + sight_.camera;
+    out.object.p = affine(object_from_world_, out.world.p);
+    return out;
+}
+
+bool Truth::look(Square& square, dvec3 point, dvec2 pixel, dvec3 sight) {
+    if (!relief_) return true;
+    if (square.facing < 0 && !mirrors_) return false;  // the inner side of the relief
+    relief_->focus(square.st_dx, square.st_dy, square.facing);
+    if (!relief_->placed()) {
+        auto values = [&](dvec2 st) {
+            Foot foot = square.middle;
+            foot.st = st;
+            return evaluator_.run(inputs_at(square, foot));
+        };
+        const auto origin = values({0, 0}), along_s = values({1, 0}), along_t = values({0, 1});
+        relief_->place(origin, along_s, along_t);
+    }
+    const auto foot = relief_->seen(point + sight_.camera, square.sight, square.middle);
+    if (!foot) return false;
+    square = square_at(affine(sight_.world_from_object, foot->position) - sight_.camera, pixel, sight);
+    return true;
 }
 
 ir::PixelInputs Truth::inputs(dvec3 point, dvec2 pixel, dvec3 sight) const {
@@ -152,18 +191,19 @@ dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
     std::vector<dvec3> points(count), normals(count);
     std::vector<std::vector<double>> heights(stages_.size(), std::vector<double>(count));
     std::vector<ir::Datum> middle;
-    if (held) middle = evaluator_.run(inputs_at(square, square.middle));
+    if (held) middle = evaluator_.run(lifted_inputs(square, square.middle));
     for (int y = -reach; y <= reach; ++y) {
         for (int x = -reach; x <= reach; ++x) {
             if (std::abs(x) + std::abs(y) > reach) continue;
             const dvec3 place =
                 square.middle.position + kStep * (1.0 * x * square.right + 1.0 * y * square.up);
             const Foot foot = foot_of(sight_.shape, place, &square.middle);
-            const auto& values = evaluator_.run(inputs_at(square, foot));
+            const auto& values = evaluator_.run(lifted_inputs(square, foot));
             points[index(x, y)] = linear(sight_.world_from_object, foot.position - square.middle.position);
             normals[index(x, y)] = outward * glm::normalize(normal_from_object_ * foot.normal);
             for (std::size_t k = 0; k < stages_.size(); ++k)
-                heights[k][index(x, y)] = heights_.of(stages_[k], values, held ? middle : values);
+                heights[k][index(x, y)] = heights_.of(stages_[k], values, held ? middle : values) +
+                                          (relief_ && k == 0 ? relief_->bias() : 0);
         }
     }
     for (std::size_t k = 0; k < stages_.size(); ++k) {
@@ -187,8 +227,9 @@ dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
 }
 
 TrueNormal Truth::at(dvec3 point, dvec2 pixel, dvec3 sight, bool held) {
-    const Square square = square_at(point, pixel, sight);
+    Square square = square_at(point, pixel, sight);
     TrueNormal out;
+    if (!look(square, point, pixel, sight)) return out;
     const bool turned = (mirrors_ || flips_) && square.facing < 0;
     out.base = (turned ? -1.0 : 1.0) * glm::normalize(normal_from_object_ * square.middle.normal);
     out.normal = displaced_normal(square, false, out.moved);

@@ -11,6 +11,10 @@
 // rounding (1e-16 / h) by 1e-11. Where a shader mirrors a two-sided surface, the displacement goes to the
 // visible side.
 //
+// With parallax a pixel shows another point: that where its ray meets the surface of the parallax's heights
+// (relief.hpp). There the stages stand as they do everywhere, and volumes are looked up on that surface.
+// Where the ray meets nothing, past a silhouette, there is no normal.
+//
 // Everything that depends on the screen (level of detail, footprint of a noise) is that of the pixel and the
 // same at all points of the square.
 #pragma once
@@ -20,22 +24,13 @@
 
 #include "runtime/camera.hpp"
 #include "runtime/mesh/smooth.hpp"
-#include "runtime/proof/heights.hpp"
+#include "runtime/proof/relief.hpp"
 
 namespace sg::proof {
 
-// How a surface is seen.
-struct Sight {
-    runtime::SmoothShape shape = runtime::SmoothShape::sphere;
-    glm::dmat4 world_from_object{1};
-    glm::dvec3 camera{0};                // world space
-    glm::dmat4 relative_from_screen{1};  // of camera_matrices
-    double time = 0;
-};
-
 // What one pixel shows; world axes.
 struct TrueNormal {
-    glm::dvec3 normal{0};  // of the displaced surface
+    glm::dvec3 normal{0};  // of the displaced surface; 0 where the ray misses it
     glm::dvec3 held{0};    // the same with all weights held constant: without the terms H grad w
     glm::dvec3 base{0};    // of the smooth surface, towards the visible side if two-sided
     double moved = 0;      // how far the surface was displaced there, world units
@@ -46,6 +41,7 @@ public:
     // `module` as lowered, not optimised. All must outlive it.
     Truth(const ir::Module& module, const ir::Bindings& bindings, std::map<std::string, Partner> partners,
           const Sight& sight);
+    Truth(const Truth&) = delete;
 
     // Nothing where every stage has a height; else the first value without one.
     [[nodiscard]] std::optional<NoHeight> missing() const;
@@ -60,14 +56,21 @@ public:
 private:
     struct Square;
     [[nodiscard]] ir::PixelInputs inputs_at(const Square& square, const runtime::Foot& foot) const;
+    // The same on the surface that parallax shows.
+    [[nodiscard]] ir::PixelInputs lifted_inputs(const Square& square, const runtime::Foot& foot) const;
+    // The square under the point that parallax shows; false where it shows none.
+    bool look(Square& square, glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight);
     [[nodiscard]] Square square_at(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight) const;
     // moved: becomes the distance by which the middle was displaced.
     glm::dvec3 displaced_normal(const Square& square, bool held, double& moved);
 
-    const ir::Module& module_;
+    std::map<std::string, Partner> partners_;
+    std::optional<ReliefSource> source_;
+    const ir::Module module_;  // without its relief
     Heights heights_;
     ir::Evaluator evaluator_;
     Sight sight_;
+    std::optional<Relief> relief_;
     glm::dmat3 normal_from_object_;
     glm::dmat4 object_from_world_;
     std::vector<ir::ValueId> stages_;  // the gradients of the resolves, first to last

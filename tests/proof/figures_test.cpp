@@ -140,6 +140,17 @@ bad.figure.json:5:27: error: unknown picture 'b', expected 'a', did you mean 'a'
 )");
 }
 
+TEST_F(GalleryFaults, HeldWeightsMustBeAskedFor) {
+    const std::string figure = test::read_file(figures_folder() / "figure_7_a.figure.json");
+    const std::string text = run_with("held.figure.json", replaced(figure, R"("held": true
+  },)",
+                                                                   R"("held": false
+  },)"));
+    EXPECT_NE(text.find("error: a claim about held weights needs \"held\": true in 'truth' [SG1102]"),
+              std::string::npos)
+        << text;
+}
+
 TEST_F(GalleryFaults, OfTheCommandLine) {
     EXPECT_EQ(gallery("").text, "error: no figure is given; see --help [SG2105]\n");
     EXPECT_EQ(gallery("a.figure.json --shrink 9").text,
