@@ -29,8 +29,8 @@ test: deps
 	cmake --build $(BUILD) -j $(JOBS)
 	@cmake --preset dev
 	cmake --build build/dev -j $(JOBS) --target sanitized_tests
-	ctest --test-dir build/dev -L sanitize --output-on-failure
-	ctest --test-dir $(BUILD) --output-on-failure
+	ctest --test-dir build/dev -L sanitize -j $(JOBS) --output-on-failure
+	ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure
 
 bench: build
 	cmake --build $(BUILD) -j $(JOBS) --target bench
