@@ -184,9 +184,9 @@ DrawnKind::Errors DrawnKind::against_truth(const runtime::Picture& normals, Chan
                                   scene.camera.position, camera.relative_from_screen, 0});
     const Bare& bare = bare_of(case_.shape, change);
     Errors out;
-    std::optional<std::pair<dvec3, dvec3>> last;  // of the row: a point and its smooth normal
+    dvec3 last_point(0.0), last_normal(0.0);  // of the row
     for (std::uint32_t y = step / 2; y < side; y += step) {
-        last.reset();
+        bool follows = false;
         for (std::uint32_t x = step / 2; x < side; x += step) {
             if (!truth::covered(normals, x, y)) continue;
             const dvec3 point = truth::rgb(bare.positions, x, y);
@@ -196,10 +196,12 @@ DrawnKind::Errors DrawnKind::against_truth(const runtime::Picture& normals, Chan
             out.tilt.push_back(angle_degrees(exact.base, exact.held));
             out.bare.push_back(angle_degrees(truth::rgb(bare.normals, x, y), exact.base));
             out.moved = std::max(out.moved, exact.moved);
-            if (last)
-                out.curvature = std::max(out.curvature, glm::distance(exact.base, last->second) /
-                                                            glm::distance(point, last->first));
-            last = {point, exact.base};
+            if (follows)
+                out.curvature = std::max(
+                    out.curvature, glm::distance(exact.base, last_normal) / glm::distance(point, last_point));
+            last_point = point;
+            last_normal = exact.base;
+            follows = true;
         }
     }
     return out;
