@@ -93,7 +93,7 @@ Function function_of(void* library, std::size_t text) {
 
 // All that decides what is drawn: the texts of two versions of Metal are often the same.
 std::string key_of(const Drawing& drawing) {
-    std::string out = fmt::format("{} {}\n", drawing.sample, drawing.shown->name);
+    std::string out = fmt::format("{} {}\n", drawing.sample->name, drawing.shown->name);
     for (const Stage* stage : {&drawing.vertex, &drawing.fragment}) {
         for (const Slot& slot : stage->slots)
             out += fmt::format("{} {} {} {}\n", slot.kind, slot.set, slot.binding, slot.index);
@@ -102,7 +102,7 @@ std::string key_of(const Drawing& drawing) {
     return out;
 }
 
-Pixels draw_one(const Drawing& drawing, SgVertexFunction vertex, SgFragmentFunction fragment) {
+MetalPicture draw_one(const Drawing& drawing, SgVertexFunction vertex, SgFragmentFunction fragment) {
     std::vector<std::vector<float>> texels;
     const SgBindings vertex_bindings = bind(drawing, drawing.vertex, texels);
     const SgBindings fragment_bindings = bind(drawing, drawing.fragment, texels);
@@ -115,8 +115,8 @@ std::string metal_missing() {
     return has_program("clang++") ? "" : "no clang++";
 }
 
-std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
-    static std::map<std::string, Pixels> pictures;
+std::vector<MetalPicture> metal_draw(const std::vector<Drawing>& drawings) {
+    static std::map<std::string, MetalPicture> pictures;
     Texts texts;
     std::vector<const Drawing*> fresh;
     std::vector<Plan> plans;
@@ -134,7 +134,7 @@ std::vector<Pixels> metal_draw(const std::vector<Drawing>& drawings) {
                          function_of<SgFragmentFunction>(library, plans[i].fragment));
         ::dlclose(library);
     }
-    std::vector<Pixels> out;
+    std::vector<MetalPicture> out;
     for (const Drawing& drawing : drawings) out.push_back(pictures.at(key_of(drawing)));
     return out;
 }

@@ -45,6 +45,20 @@ bool covers(const Corner (&c)[3], int px, int py) {
     return true;
 }
 
+// Within a step of an edge: where a corner is rounded the other way, the pixel goes to the neighbour.
+bool is_on_edge(const Corner (&c)[3], int px, int py) {
+    const std::int64_t x = px * kSub + kSub / 2, y = py * kSub + kSub / 2;
+    bool near = false;
+    for (int i = 0; i < 3; ++i) {
+        const Corner &a = c[i], &b = c[(i + 1) % 3];
+        const auto side = static_cast<double>(edge(a, b, x, y));
+        const double length = std::hypot(b.fixed_x - a.fixed_x, b.fixed_y - a.fixed_y);
+        if (side < -length) return false;
+        near |= side <= length;
+    }
+    return near;
+}
+
 struct Weights {
     double of[3];
 };
@@ -77,6 +91,7 @@ struct Canvas {
     std::size_t attachments = 1;
     Pixels pixels = Pixels(std::max<std::size_t>(attachments, 1) * kPlane);
     std::vector<double> depth = std::vector<double>(kPlane / 4, 1.0);
+    std::vector<bool> on_edge = std::vector<bool>(kPlane / 4);
 
     void write(std::size_t pixel, double at_depth, const SgColors& colors, int of_quad) {
         depth[pixel] = at_depth;
@@ -97,7 +112,9 @@ void shade_quad(Canvas& canvas, const Corner (&c)[3], int left, int top, bool fr
         const int x = left + i % 2, y = top + i / 2;
         const Weights weights = weights_at(c, x + 0.5, y + 0.5);
         depth[i] = weights.of[0] * c[0].depth + weights.of[1] * c[1].depth + weights.of[2] * c[2].depth;
-        wanted[i] = covers(c, x, y) && depth[i] < canvas.depth[static_cast<std::size_t>(y * kWidth + x)];
+        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        wanted[i] = covers(c, x, y) && depth[i] < canvas.depth[at];
+        if (is_on_edge(c, x, y)) canvas.on_edge[at] = true;
         interpolate(c, weights, varyings[i]);
     }
     if (std::none_of(std::begin(wanted), std::end(wanted), [](bool w) { return w; })) return;
@@ -119,8 +136,8 @@ std::pair<int, int> quads(std::int64_t low, std::int64_t high) {
 
 }  // namespace
 
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
-                 const SgBindings& bindings, SgFragmentFunction fragment) {
+MetalPicture rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
+                       const SgBindings& bindings, SgFragmentFunction fragment) {
     Canvas canvas{drawing.attachments};
     const std::vector<std::uint32_t>& indices = drawing.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -138,7 +155,7 @@ Pixels rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawi
             for (int x = x0; x <= x1; x += 2) shade_quad(canvas, c, x, y, front, bindings, fragment);
         }
     }
-    return std::move(canvas.pixels);
+    return {std::move(canvas.pixels), std::move(canvas.on_edge)};
 }
 
 }  // namespace sg::cross

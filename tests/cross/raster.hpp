@@ -2,6 +2,7 @@
 // top-left rule, perspective-correct varyings, quads of four pixels with helpers outside of the triangle.
 #pragma once
 
+#include "tests/cross/metal.hpp"
 #include "tests/cross/metal/driver.hpp"
 #include "tests/cross/scene.hpp"
 
@@ -13,7 +14,7 @@ struct RasterVertex {
 };
 
 // Attributes and blocks of `drawing` were read before: of it the indices, the culling and the attachments.
-Pixels rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
-                 const SgBindings& bindings, SgFragmentFunction fragment);
+MetalPicture rasterise(const std::vector<RasterVertex>& vertices, const Drawing& drawing,
+                       const SgBindings& bindings, SgFragmentFunction fragment);
 
 }  // namespace sg::cross

@@ -37,7 +37,7 @@ struct Limit {
     std::size_t one_alone = 0;  // pixels
 };
 Limit limit_of(const target::Target& target, const Shown& shown = shown("normal"));
-// The same for a sample: where a ray is marched, a rounding may decide at which step it ends.
+// The same for a sample: a ray that is marched magnifies what a rounding does.
 Limit limit_of(const target::Target& target, const Shown& shown, const Sample& sample);
 
 // The tools of a target, for people.
@@ -51,10 +51,16 @@ std::string missing_tool(const target::Target& target);
 struct Drawn {
     Pixels pixels;  // empty where a text was refused
     std::string refusal;
+    std::vector<bool> on_edge;  // for Measure
 };
 std::vector<Drawn> draw_all(const std::vector<Drawing>& drawings);
 // What to compare a drawing of `sample` with.
 const Pixels& expected(const Sample& sample, const target::Target& target,
                        const Shown& shown = shown("normal"));
+
+// How fast what is shown changes where a normal or a colour does, by pixel; empty: as fast.
+std::vector<double> unit_of(const Sample& sample, const target::Target& target, const Shown& shown);
+// From what is expected, of one plane, in that unit.
+Difference difference(const Drawing& drawing, const Drawn& drawn, std::size_t plane);
 
 }  // namespace sg::cross

@@ -122,12 +122,12 @@ std::vector<std::string> sample_names() {
     return out;
 }
 
-Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library) {
+Sample make_sample(const std::string& name, const std::string& stem, const target::ShaderLibrary& library) {
     const fs::path path = sample_file(name), textures_at = sample_folders().front();
     RealFiles disk;
     CompileRequest request;
     request.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)});
-    request.stem = name + suffix;
+    request.stem = stem;
     request.roots = {textures_at};
     request.targets.clear();
     for (const target::Target& target : target::all_targets()) request.targets.push_back(&target);
@@ -135,7 +135,7 @@ Sample make_sample(const std::string& name, const std::string& suffix, const tar
     auto compiled = compile_material(request, disk, library, diags);
     if (!compiled) fail(name, diags);
     MemoryFiles files;
-    Sample out{.name = name + suffix};
+    Sample out{.name = stem};
     for (const NamedText& text : compiled->glsl) out.glsl[text.name] = text.text;
     for (auto& [file, bytes] : compiled->files) {
         if (file.ends_with(".json")) out.manifest = bytes;
@@ -160,7 +160,7 @@ const Sample& sample(const std::string& name) {
     static const target::ShaderLibrary kLibrary = target::embedded_library();
     static std::map<std::string, Sample> samples;
     auto it = samples.find(name);
-    return it == samples.end() ? samples.emplace(name, make_sample(name, "", kLibrary)).first->second
+    return it == samples.end() ? samples.emplace(name, make_sample(name, name, kLibrary)).first->second
                                : it->second;
 }
 
@@ -211,7 +211,7 @@ const Shown& shown(std::string_view name) {
 
 Drawing drawing(const Sample& sample, const target::Target& target, const Shown& shown) {
     const runtime::EntryPoint& entry = *sample.artefact.entry(shown.entry);
-    Drawing out{.sample = sample.name, .target = &target, .shown = &shown};
+    Drawing out{.sample = &sample, .target = &target, .shown = &shown};
     const nlohmann::json manifest = nlohmann::json::parse(sample.manifest);
     for (const auto& row : manifest.at("entry_points")) {
         if (row.at("name") != shown.entry) continue;
@@ -332,16 +332,15 @@ std::vector<float> linear_texels(const TextureView& view) {
     return out;
 }
 
-Difference compare(const Pixels& a, const Pixels& b, const Shown& shown, std::size_t plane) {
-    const std::size_t planes = shown.planes.size(), pixels = kPlane / 4;
-    if (a.size() != planes * kPlane || b.size() != a.size())
+Difference compare(const Pixels& a, const Pixels& b, const Measure& measure) {
+    if (a.size() != b.size() || a.size() <= measure.plane * kPlane)
         throw std::runtime_error("a picture with another number of planes");
-    const float *last_a = &a[(planes - 1) * kPlane], *last_b = &b[(planes - 1) * kPlane];
+    const std::size_t last = a.size() - kPlane;
     Difference out;
     std::vector<double> errors;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const float *p = &a[plane * kPlane + 4 * i], *q = &b[plane * kPlane + 4 * i];
-        const bool in_a = last_a[4 * i + 3] != 0, in_b = last_b[4 * i + 3] != 0;
+    for (std::size_t i = 0; i < kPlane / 4; ++i) {
+        const float *p = &a[measure.plane * kPlane + 4 * i], *q = &b[measure.plane * kPlane + 4 * i];
+        const bool in_a = a[last + 4 * i + 3] != 0, in_b = b[last + 4 * i + 3] != 0;
         if (in_a != in_b) ++out.one_alone;
         if (!in_a || !in_b) continue;
         double error = 0;
@@ -349,14 +348,16 @@ Difference compare(const Pixels& a, const Pixels& b, const Shown& shown, std::si
             double d = std::abs(double{p[c]} - double{q[c]});
             error = d <= error ? error : d;  // keeps what is not a number
         }
-        const double g2 =
-            shown.name == "debug" ? double{p[0]} * p[0] + double{p[1]} * p[1] + double{p[2]} * p[2] : 0;
-        errors.push_back(error / (1 + g2));
+        if (!measure.unit.empty()) error /= measure.unit[i];
+        const bool on_edge = !measure.on_edge.empty() && measure.on_edge[i];
+        double& most = on_edge ? out.on_edge : out.largest;
+        out.edges += on_edge;
+        if (!(error <= most)) most = error;
+        errors.push_back(error);
     }
     out.both = errors.size();
     if (errors.empty()) return out;
     std::sort(errors.begin(), errors.end(), [](double x, double y) { return x < y || (x == x && y != y); });
-    out.largest = errors.back();
     out.p999 = errors[std::min(errors.size() - 1, errors.size() * 999 / 1000)];
     return out;
 }

@@ -55,10 +55,12 @@ struct Shown {
 std::span<const Shown> all_shown();
 const Shown& shown(std::string_view name);
 
+struct Sample;
+
 // One entry point of one sample in one target; in a target of language spirv without texts, and with all
 // slots in `fragment`.
 struct Drawing {
-    std::string sample;
+    const Sample* sample = nullptr;
     const target::Target* target = nullptr;
     const Shown* shown = nullptr;
     Stage vertex, fragment;
@@ -84,8 +86,8 @@ struct Sample {
 // Those of materials/ and one of tests/cross/materials, which drops pixels.
 std::vector<std::string> sample_names();
 const Sample& sample(const std::string& name);  // compiled once
-// With another shader library; `suffix` tells it from the plain one.
-Sample make_sample(const std::string& name, const std::string& suffix, const target::ShaderLibrary& library);
+// By another stem, or with another shader library.
+Sample make_sample(const std::string& name, const std::string& stem, const target::ShaderLibrary& library);
 // The sample with level 0 of each texture alone, in floats: how a driver decodes sRGB is its own affair.
 const Sample& base_sample(const Sample& sample);
 Drawing drawing(const Sample& sample, const target::Target& target, const Shown& shown = shown("normal"));
@@ -108,13 +110,18 @@ std::vector<float> texels_of(const asset::Image& image);
 std::vector<float> linear_texels(const TextureView& view);
 
 struct Difference {
-    double largest = 0;         // of any channel of any pixel that both cover
-    double p999 = 0;            // 99.9th percentile of the pixels' largest channel
+    double largest = 0;         // of any channel of any pixel that both cover, but of those on an edge
+    double on_edge = 0;         // likewise, of those
+    std::size_t edges = 0;      // how many they are
+    double p999 = 0;            // 99.9th percentile of all pixels' largest channel
     std::size_t both = 0;       // pixels that both cover
     std::size_t one_alone = 0;  // pixels that one covers and the other does not
 };
-// Of one plane. Gradients g count by 1 / (1 + g^2), in `a`.
-Difference compare(const Pixels& a, const Pixels& b, const Shown& shown = shown("normal"),
-                   std::size_t plane = 0);
+struct Measure {
+    std::size_t plane = 0;
+    std::vector<double> unit;   // by pixel, differences count in it; empty: 1
+    std::vector<bool> on_edge;  // by pixel: a rounding decides which facet is seen; empty: none
+};
+Difference compare(const Pixels& a, const Pixels& b, const Measure& measure = {});
 
 }  // namespace sg::cross

@@ -78,7 +78,7 @@ TEST(Targets, TheCommandLineWritesWhatWasAskedFor) {
 
 TEST(Targets, SameBytesTwice) {
     for (const std::string& name : sample_names()) {
-        Sample again = make_sample(name, "", target::embedded_library());
+        Sample again = make_sample(name, name, target::embedded_library());
         EXPECT_EQ(again.texts, sample(name).texts) << name;
         EXPECT_EQ(again.manifest, sample(name).manifest) << name;
     }
@@ -126,7 +126,7 @@ target::ShaderLibrary library_with(const std::string& body) {
 // by one.
 TEST(Targets, GatherIsFourReadsInEssl300) {
     Sample gathered =
-        make_sample("normal_map", "_gather",
+        make_sample("normal_map", "normal_map_gather",
                     library_with("vec2 p = uv.st * vec2(textureSize(sampler2D(image, filtering), 0)) - 0.5; "
                                  "vec2 f = p - floor(p);\n"
                                  "    vec4 g = textureGather(sampler2D(image, filtering), (floor(p) + 1.0) / "
