@@ -73,21 +73,25 @@ TEST(Example, MetalIsAccepted) {
     EXPECT_NE(metal_refusals({text}).at(0), "");
 }
 
-// Two materials, and one of them twice, in one shader of each language.
-TEST(Example, TwoMaterialsFitIntoOneShader) {
-    const std::string one = "noise", other = "decal";
-    auto both = [&](const target::Target& target) {
-        return function_text(sample(one), target) + function_text(sample(other), target);
-    };
-    const std::string main = "#version 450\n" + both(*target::find_target("spirv")) + "void main() {}\n";
+std::string glsl_fault(const std::string& declarations) {
+    const std::string text = "#version 450\n" + declarations + "void main() {}\n";
     std::string fault;
-    EXPECT_TRUE(target::compile_glsl(main, "two", target::Stage::fragment, {}, {}, fault)) << fault;
+    target::compile_glsl(text, "two", target::Stage::fragment, {}, {}, fault);
+    return fault;
+}
+
+// The functions of two materials in one shader of each language.
+void expect_that_both_fit(const Sample& one, const Sample& other) {
+    auto both = [&](const char* name) {
+        const target::Target& target = *target::find_target(name);
+        return function_text(one, target) + function_text(other, target);
+    };
+    EXPECT_EQ(glsl_fault(both("spirv")), "");
     if (has_program("glslangValidator")) {
-        EXPECT_EQ(hlsl_refusals({{both(*target::find_target("hlsl50")) + "void main() {}\n", false}}).at(0),
-                  "");
+        EXPECT_EQ(hlsl_refusals({{both("hlsl50") + "void main() {}\n", false}}).at(0), "");
     }
     if (metal_missing().empty()) {
-        EXPECT_EQ(metal_refusals({both(*target::find_target("msl21"))}).at(0), "");
+        EXPECT_EQ(metal_refusals({both("msl21")}).at(0), "");
     }
     for (const char* name : {"glsl450", "essl310"}) {
         const target::Target& target = *target::find_target(name);
@@ -95,8 +99,40 @@ TEST(Example, TwoMaterialsFitIntoOneShader) {
         const std::string version =
             target.language == target::Language::glsl ? "#version 450\n" : "#version 310 es\n";
         EXPECT_EQ(gl_refusal(version + "void main() { gl_Position = vec4(0.0); }\n",
-                             version + both(target) + "void main() {}\n", target.language),
+                             version + both(name) + "void main() {}\n", target.language),
                   "");
+    }
+}
+
+TEST(Example, TwoMaterialsFitIntoOneShader) {
+    expect_that_both_fit(sample("noise"), sample("decal"));
+}
+
+// What is a material's alone ends in its stem, and so may names of the library: sg_parallax_occlusion,
+// sg_uv_scale, sg_resolve. They must stay apart, from each other and from another material's.
+TEST(Example, AStemMayBeTheEndOfALibraryName) {
+    const target::ShaderLibrary library = target::embedded_library();
+    const std::pair<const char*, const char*> kStems[] = {
+        {"parallax_dents", "parallax_occlusion"}, {"layered", "uv_scale"}, {"layered", "resolve"}};
+    for (const auto& [name, stem] : kStems) {
+        SCOPED_TRACE(stem);
+        const Sample renamed = make_sample(name, stem, library);
+        expect_that_both_fit(renamed, sample("parallax_detail"));
+        expect_that_both_fit(sample("noise"), renamed);
+        // Nor does it change what is drawn.
+        for (const char* language : {"spirv", "hlsl50", "glsl450"}) {
+            const target::Target& target = *target::find_target(language);
+            if (!missing_tool(target).empty()) continue;
+            const auto drawn = draw_all({drawing(renamed, target, shown("function"))});
+            ASSERT_EQ(drawn.at(0).refusal, "");
+            const Difference d = compare(reference(sample(name)), drawn.at(0).pixels);
+            const Limit limit = limit_of(target, shown("function"), sample(name));
+            fmt::print("{} as {}, {}: largest {:.2e}, 99.9 % {:.2e}\n", name, stem, language, d.largest,
+                       d.p999);
+            EXPECT_GT(d.both, 5000u);
+            EXPECT_LE(d.largest, limit.largest);
+            EXPECT_LE(d.p999, limit.p999);
+        }
     }
 }
 
