@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "compile.hpp"
 #include "tests/cross/gl.hpp"
@@ -110,6 +111,43 @@ TEST(Targets, PlacesNeverOverlap) {
         }
         EXPECT_GT(by_place.size(), 10u);
     }
+}
+
+// How a text declares the vertex input of a manifest's row.
+std::string declaration_of(const nlohmann::json& row, target::Language language) {
+    const std::string location = row.at("location").dump();
+    if (language == target::Language::hlsl) return " : " + row.at("semantic").get<std::string>() + ";";
+    const std::string variable = " " + row.at("variable").get<std::string>();
+    if (language == target::Language::msl) return variable + " [[attribute(" + location + ")]];";
+    return "layout\\(location = " + location + "\\) in \\w+" + variable + ";";
+}
+
+// What an engine binds by: the names and numbers that the manifest states stand in the texts.
+TEST(Targets, TextsDeclareWhatTheManifestStates) {
+    std::size_t rows = 0;
+    for (const std::string& name : sample_names()) {
+        const nlohmann::json manifest = nlohmann::json::parse(sample(name).manifest);
+        for (const auto& entry : manifest["entry_points"]) {
+            for (const auto& text : entry["stages"][0]["targets"]) {
+                const std::string file = text["file"], &written = sample(name).texts.at(file);
+                const target::Language language =
+                    target::find_target(text["target"].get<std::string>())->language;
+                ASSERT_EQ(text["vertex_inputs"].size(), entry["vertex_inputs"].size()) << file;
+                for (std::size_t i = 0; i < text["vertex_inputs"].size(); ++i, ++rows) {
+                    const auto& row = text["vertex_inputs"][i];
+                    EXPECT_EQ(row["location"], entry["vertex_inputs"][i]["location"]) << file;
+                    const std::string declared = declaration_of(row, language);
+                    const bool gl = language == target::Language::glsl || language == target::Language::essl;
+                    EXPECT_TRUE(gl ? std::regex_search(written, std::regex(declared))
+                                   : written.find(declared) != written.npos)
+                        << file << ": " << declared;
+                }
+                EXPECT_NE(written.find(" " + text["function"].get<std::string>() + "("), written.npos)
+                    << file;
+            }
+        }
+    }
+    EXPECT_GT(rows, 1000u);
 }
 
 // The library with another body of sg_sample.
