@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -57,12 +59,27 @@ std::string browser() {
 std::string body_of(const std::string& script, const std::string& flags) {
     auto file = scratch() / "page.html";
     write_file(file, "<body><script>" + script + "</script></body>");
-    std::string dom = run(fmt::format("timeout 100 {} --headless --no-sandbox --disable-dev-shm-usage "
+    std::string dom = run(fmt::format("timeout 200 {} --headless --no-sandbox --disable-dev-shm-usage "
                                       "--user-data-dir='{}' {} --dump-dom 'file://{}' 2>/dev/null",
                                       browser(), (scratch() / "profile").string(), flags, file.string()))
                           .text;
     std::size_t begin = dom.find("<body>"), end = dom.find("</body>");
     return begin == dom.npos || end == dom.npos ? "" : dom.substr(begin + 6, end - begin - 6);
+}
+
+void PageOutcome::add(PageOutcome&& other) {
+    std::move(other.pictures.begin(), other.pictures.end(), std::back_inserter(pictures));
+    std::move(other.refusals.begin(), other.refusals.end(), std::back_inserter(refusals));
+}
+
+std::vector<std::span<const Drawing>> pages_of(std::span<const Drawing> drawings) {
+    constexpr std::size_t kPerPage = 36;
+    std::vector<std::span<const Drawing>> out;
+    do {
+        out.push_back(drawings.subspan(0, std::min(kPerPage, drawings.size())));
+        drawings = drawings.subspan(out.back().size());
+    } while (!drawings.empty());
+    return out;
 }
 
 PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts,

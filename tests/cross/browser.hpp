@@ -1,6 +1,7 @@
 // Headless Chromium: a page that draws while it is opened, and leaves its pictures as text in its body.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ std::string body_of(const std::string& script, const std::string& flags);
 struct PageOutcome {
     std::vector<Pixels> pictures;       // of the first `drawings` lines; empty where it was refused
     std::vector<std::string> refusals;  // "" or the browser's words, by line
+    void add(PageOutcome&& other);
 };
+// What one page draws: it keeps all that it made until it ends. One page at least.
+std::vector<std::span<const Drawing>> pages_of(std::span<const Drawing> drawings);
 // Runs files of this folder, in order, over `const input`; they leave a line per drawing and per further
 // check.
 PageOutcome run_page(const std::string& input, const std::vector<std::string>& scripts,

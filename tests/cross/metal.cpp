@@ -121,7 +121,7 @@ std::vector<MetalPicture> metal_draw(const std::vector<Drawing>& drawings) {
     std::vector<const Drawing*> fresh;
     std::vector<Plan> plans;
     for (const Drawing& drawing : drawings) {
-        if (!pictures.try_emplace(key_of(drawing)).second) continue;
+        if (pictures.contains(key_of(drawing))) continue;
         fresh.push_back(&drawing);
         plans.push_back({texts.add(drawing.vertex.text), texts.add(drawing.fragment.text)});
     }

@@ -78,10 +78,14 @@ std::string webgl_missing() {
 }
 
 PageOutcome webgl_draw(const std::vector<Drawing>& drawings) {
-    Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}};
-    for (const Drawing& drawing : drawings)
-        input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    return run_page(input.dump(), {"bytes.js", "webgl.js"}, kFlags, drawings.size(), 0);
+    PageOutcome out;
+    for (std::span<const Drawing> page : pages_of(drawings)) {
+        Json input = {{"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}};
+        for (const Drawing& drawing : page)
+            input["drawings"].push_back(drawing_json(drawing, input["textures"]));
+        out.add(run_page(input.dump(), {"bytes.js", "webgl.js"}, kFlags, page.size(), 0));
+    }
+    return out;
 }
 
 }  // namespace sg::cross

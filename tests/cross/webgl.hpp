@@ -1,4 +1,4 @@
-// Drawing with WebGL 2: one page that headless Chromium opens once, all drawings in it.
+// Drawing with WebGL 2: pages that headless Chromium opens once, many drawings in each.
 #pragma once
 
 #include "tests/cross/browser.hpp"

@@ -130,11 +130,18 @@ std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) 
 }
 
 PageOutcome wgsl_draw(const std::vector<Drawing>& drawings, const std::vector<std::string>& texts) {
-    Json input = {
-        {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", texts}};
-    for (const Drawing& drawing : drawings)
-        input["drawings"].push_back(drawing_json(drawing, input["textures"]));
-    return run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, drawings.size(), texts.size());
+    PageOutcome out;
+    for (std::span<const Drawing> page : pages_of(drawings)) {
+        const auto modules = page.data() + page.size() == drawings.data() + drawings.size()
+                                 ? texts
+                                 : std::vector<std::string>{};  // in the last page
+        Json input = {
+            {"side", kSide}, {"textures", Json::object()}, {"drawings", Json::array()}, {"modules", modules}};
+        for (const Drawing& drawing : page)
+            input["drawings"].push_back(drawing_json(drawing, input["textures"]));
+        out.add(run_page(input.dump(), {"bytes.js", "webgpu.js"}, kFlags, page.size(), modules.size()));
+    }
+    return out;
 }
 
 }  // namespace sg::cross
