@@ -217,6 +217,24 @@ TEST_F(Cli, MessagesAsSarif) {
         std::string::npos);
 }
 
+// Materials that differ in numbers alone are one shader where that is asked for, and two where it is not.
+TEST_F(Cli, NumbersAsUniformsShareOneShader) {
+    std::string text = test::read_file(root_ / "one/materials/noise.json");
+    const std::size_t at = text.find("\"strength\": 0.");
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + 14, "3");  // 0.05 becomes 0.305, say
+    write("one/materials/other.json", text);
+    for (const std::string option : {"", " --numbers baked", " --numbers uniforms"}) {
+        Outcome out = run(root_ / "one", "compile materials/noise.json materials/other.json -o out" + option);
+        EXPECT_EQ(out.exit_code, 0) << out.text;
+        const bool equal = test::read_file(root_ / "one/out/noise.forward.frag.spv") ==
+                           test::read_file(root_ / "one/out/other.forward.frag.spv");
+        EXPECT_EQ(equal, option == " --numbers uniforms") << option;
+    }
+    EXPECT_NE(test::read_file(root_ / "one/out/noise.json"), test::read_file(root_ / "one/out/other.json"));
+    EXPECT_EQ(run(root_ / "one", "compile materials/noise.json -o out --numbers lifted").exit_code, 2);
+}
+
 TEST_F(Cli, WrongWordsNameTheNearest) {
     fs::path one = root_ / "one";
     EXPECT_EQ(run(one, "chek a.json").text,
