@@ -49,7 +49,9 @@ TEST(Relief, OfASphereIsASphere) {
             const double middle = glm::dot(-eye, ray),
                          under = radius * radius - glm::dot(eye, eye) + middle * middle;
             const TrueNormal found = truth.at(glance.point, glance.pixel, glance.point);
-            if (under < -1e-6) EXPECT_EQ(found.normal, dvec3(0));
+            if (under < -1e-6) {
+                EXPECT_EQ(found.normal, dvec3(0));
+            }
             if (under < 1e-6) ++misses;
             if (under < 1e-6) continue;
             ++hits;
@@ -58,7 +60,9 @@ TEST(Relief, OfASphereIsASphere) {
             EXPECT_NEAR(found.moved, std::abs(radius - 1), 1e-9);
         }
         EXPECT_GT(hits, 200u);
-        if (radius < 0.9) EXPECT_GT(misses, 5u);
+        if (radius < 0.9) {
+            EXPECT_GT(misses, 5u);
+        }
     }
 }
 
