@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/ice.hpp"
+#include "custom_shaders.hpp"
 #include "gpu_fragment.hpp"
 #include "opt/optimise.hpp"
 #include "samples.hpp"
@@ -37,8 +38,10 @@ public:
     explicit Sample(const std::filesystem::path& path) : stem_(path.stem().string()) {
         RealFiles files;
         Diags diags;
-        auto checked = read_and_check(source_of(path), {{path.parent_path()}}, files, diags);
-        if (!checked) SG_UNREACHABLE(render(diags));
+        const SourcePtr source = source_of(path);
+        auto checked = read_and_check(source, {{path.parent_path()}}, files, diags);
+        if (!checked || !verify_shaders(*checked, {}, target::embedded_library(), source, diags))
+            SG_UNREACHABLE(render(diags));
         lowered_ = material::lower(*checked);
         groups_ = group_samplers(*checked).group;
     }
@@ -94,21 +97,29 @@ void replace(std::string& text, std::string_view what, std::string_view with) {
     text.replace(at, what.size(), with);
 }
 
-// The hand-written shader with this project's lighting, the ambient term included, so that the rest is what
-// differs.
-std::string with_our_lighting(std::string text) {
+// The hand-written shader with this project's lighting (the ambient term included) and noise, and colour as
+// its only output, so that the rest is what differs.
+std::string with_our_parts(std::string text) {
     replace(text, "#include \"sg_lib.glsl\"\n",
-            "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n"
-            "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic, vec3 "
-            "radiance) {\n"
+            "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n#include \"surfgrad/noise.glsl\"\n"
+            "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic) {\n"
             "    vec3 direct = sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, "
-            "radiance);\n"
+            "frame.lightColor.rgb);\n"
             "    vec3 f0 = mix(vec3(0.04), color, metallic);\n"
-            "    return direct + mix(color, f0, metallic) * frame.ambient.rgb;\n}\n");
+            "    return direct + mix(color, f0, metallic) * frame.ambient.rgb;\n}\n"
+            "vec4 our_turbulence(vec3 p, float footprint, int octaves) {\n"
+            "    SgNoise noise = sg_noise_turbulence(p, footprint, octaves);\n"
+            "    return vec4(noise.gradient, noise.value);\n}\n");
     replace(text, "    vec4 lightColor;\n", "    vec4 lightColor;\n    vec4 ambient;\n");
-    replace(text, "params.metallic);", "params.metallic, frame.lightColor.rgb);");
     replace(text, "sgShade(", "our_shade(");
-    replace(text, "c * frame.lightColor.rgb + 0.03 * base.rgb", "c");
+    const std::size_t lit = text.find("c * frame.lightColor.rgb + 0.03 * ");
+    SG_ASSERT(lit != std::string::npos);
+    text.replace(lit, text.find(',', lit) - lit, "c");
+    if (text.find("sgTurbulence(") != std::string::npos) replace(text, "sgTurbulence(", "our_turbulence(");
+    if (const std::size_t second = text.find("    oNormal ="); second != std::string::npos) {
+        text.erase(second, text.find('\n', second) - second);
+        replace(text, "layout(location = 1) out vec4 oNormal;", "");
+    }
     return text;
 }
 
@@ -141,22 +152,22 @@ void compare(const std::string& letter, target::ShaderLibrary library) {
         return cost_of(to_spirv(text, letter + ".frag", target::Stage::fragment, library, {}));
     };
     const Sample sample(material);
-    const Cost as_written = hand(text_of(file)), same_lighting = hand(with_our_lighting(text_of(file)));
+    const Cost as_written = hand(text_of(file)), same_parts = hand(with_our_parts(text_of(file)));
     print_row("by hand, as written", as_written, as_written);
     print_row("ours, as shipped", cost_of(sample.fragment({}, library)), as_written);
-    print_row("by hand, with our lighting", same_lighting, same_lighting);
-    print_row("ours", cost_of(sample.fragment({}, library)), same_lighting);
+    print_row("by hand, with our lighting, noise and outputs", same_parts, same_parts);
+    print_row("ours", cost_of(sample.fragment({}, library)), same_parts);
     print_row("ours, levels of detail left to the hardware",
-              cost_of(sample.fragment({}, with_implicit_gradients(library))), same_lighting);
+              cost_of(sample.fragment({}, with_implicit_gradients(library))), same_parts);
 }
 
-int run() {
+int run(bool samples) {
     const target::ShaderLibrary library = target::embedded_library();
     if (!fragment_statistics(Sample(sample_folder() / "normal_map.json").fragment({}, library))) {
         fmt::print("navi21: Mesa's RADV is not here; nothing counted\n");
         return 0;
     }
-    print_samples(library);
+    if (samples) print_samples(library);
     compare("a", library);
     return 0;
 }
@@ -165,7 +176,7 @@ int run() {
 }  // namespace sg::bench
 
 int main(int argc, char** argv) {
-    if (argc > 1 && std::string_view(argv[1]) == "--gpu") return sg::bench::run();
+    if (argc > 1 && std::string_view(argv[1]) == "--gpu") return sg::bench::run(argc == 2);
     // The choice of drivers is made once per process.
     const std::string again = fmt::format("{} '{}' --gpu", sg::bench::kGpuEnvironment, argv[0]);
     return std::system(again.c_str()) == 0 ? 0 : 1;
