@@ -4,7 +4,6 @@
 
 #include "stage/frame_block.glsl"
 #include "stage/object_block.glsl"
-#include "surfgrad/volume_space.glsl"
 
 // Seconds.
 float sg_stage_time() { return sg_frame_block.time_view.x; }
@@ -18,9 +17,12 @@ vec3 sg_stage_object_normal(vec3 n) {
 // An object-space normal in world axes. v: any length. Result: any length.
 vec3 sg_stage_normal_from_object(vec3 v) { return mat3(sg_object_block.normal_from_object) * v; }
 
-// The gradient of a height on object space, in world axes.
+// The gradient of a height on object space, in world axes: M^-T gradient, from the cofactors that the block holds;
+// zero for a matrix that flattens.
 vec3 sg_stage_gradient_from_object(vec3 gradient) {
-    return sg_gradient_to_world(mat3(sg_object_block.world_from_object), gradient);
+    mat3 cofactors = mat3(sg_object_block.normal_from_object);  // of the sign of the determinant
+    float det = dot(sg_object_block.relative_from_object[0].xyz, cofactors[0]);  // so: its magnitude
+    return (det > 0.0 ? 1.0 / det : 0.0) * (cofactors * gradient);
 }
 
 #endif
