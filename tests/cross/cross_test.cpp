@@ -126,6 +126,16 @@ INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, testing::ValuesIn(every_target())
     return std::string(row.param->language == target::Language::spirv ? row.param->group : row.param->name);
 });
 
+// That every sample's WGSL is accepted says something: what is wrong is not.
+TEST(Cross, DawnRefusesWrongWgsl) {
+    if (!wgsl_missing().empty()) GTEST_SKIP() << wgsl_missing();
+    EXPECT_EQ(dawn_refusal("@fragment fn main() -> @location(0) vec4f {\n    return vec4f(1.0);\n}\n"), "");
+    EXPECT_EQ(
+        dawn_refusal("@fragment fn main() -> @location(0) vec4f {\n    return vec3f(1.0);\n}\n"),
+        ":2:5: return statement type must match its function return type, returned 'vec3<f32>', expected "
+        "'vec4<f32>'");
+}
+
 TEST(Cross, ValidationLayersHaveNothingToSay) {
     results();
     EXPECT_EQ(validation_messages(), std::vector<std::string>{});

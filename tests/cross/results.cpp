@@ -70,7 +70,7 @@ void fill_shots(std::vector<Result>& rows, const Target& target,
     }
 }
 
-// WGSL: what naga refuses is not drawn.
+// WGSL: what naga or Dawn refuses is not drawn.
 void fill_recipe(std::vector<Result>& rows) {
     std::vector<std::string> texts;
     std::vector<Result*> of_text;
@@ -199,7 +199,7 @@ Difference difference(const Drawing& drawing, const Drawn& drawn, std::size_t pl
 std::string_view accepted_by(const Target& target) {
     switch (target.language) {
         case Language::spirv:
-            return is_recipe(target) ? "naga, then Chromium" : "glslang, spirv-val";
+            return is_recipe(target) ? "naga, then Dawn" : "glslang, spirv-val";
         case Language::hlsl:
             return "glslang's HLSL front end";
         case Language::msl:

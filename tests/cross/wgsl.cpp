@@ -23,6 +23,21 @@ struct Written {
     std::string text, refusal;
 };
 
+// What Dawn has to say about files, by name; one run of node.
+std::map<std::string, std::string> dawn_faults(const std::filesystem::path& folder,
+                                               const std::vector<std::string>& names) {
+    std::string files;
+    for (const std::string& name : names) files += fmt::format(" '{}'", (folder / name).string());
+    const Outcome outcome = run(fmt::format("node '{}/check_wgsl.mjs' {} 2>&1", SG_WGSL_DIR, files));
+    std::map<std::string, std::string> out;
+    for (const std::string& name : names) {
+        const std::size_t at = outcome.text.find((folder / name).string() + ":");
+        if (at != std::string::npos) out[name] = outcome.text.substr(at, outcome.text.find('\n', at) - at);
+    }
+    if (outcome.exit_code != 0 && out.empty()) throw std::runtime_error("node: " + outcome.text);
+    return out;
+}
+
 // Every shader of a sample by "<entry>.<stage>"; one run of node per sample.
 const std::map<std::string, Written>& written(const Sample& sample) {
     static std::map<std::string, std::map<std::string, Written>> all;
@@ -43,10 +58,18 @@ const std::map<std::string, Written>& written(const Sample& sample) {
     Outcome outcome =
         run(fmt::format("node '{}/spirv_to_wgsl.mjs' '{}' {} 2>&1", SG_WGSL_DIR, folder.string(), files));
     if (outcome.exit_code != 0) throw std::runtime_error("node: " + outcome.text);
+    std::vector<std::string> texts;
     for (const std::string& name : names) {
         at->second[name] = {test::read_file(folder / (name + ".wgsl")),
                             test::read_file(folder / (name + ".refused"))};
+        if (!at->second[name].refusal.empty()) {
+            at->second[name].refusal.insert(0, "naga: ");
+        } else {
+            texts.push_back(name + ".wgsl");
+        }
     }
+    for (const auto& [name, fault] : dawn_faults(folder, texts))
+        at->second[name.substr(0, name.size() - 5)].refusal = "Dawn: " + fault;
     return at->second;
 }
 
@@ -98,14 +121,23 @@ const target::Target& wgsl_recipe() {
 std::string wgsl_missing() {
     static const std::string kMissing = [] {
         if (!has_program("node")) return std::string("no node");
-        if (!std::filesystem::exists(SG_WGSL_DIR "/node_modules/naga-wasm"))
-            return std::string("no npm package naga-wasm@30.1.0");
+        for (const char* package : {"naga-wasm@30.1.0", "webgpu@0.6.2"}) {
+            const std::string name = package;
+            if (!std::filesystem::exists(SG_WGSL_DIR "/node_modules/" + name.substr(0, name.find('@'))))
+                return "no npm package " + name;
+        }
         if (browser().empty()) return std::string("no chromium-headless-shell and no chromium");
         if (!has_swiftshader()) return std::string("no SwiftShader beside Chromium");
         std::string body = body_of("document.body.textContent = !!navigator.gpu", kFlags);
         return body == "true" ? "" : browser() + " has no WebGPU here";
     }();
     return kMissing;
+}
+
+std::string dawn_refusal(const std::string& text) {
+    write_file(scratch() / "alone.wgsl", text);
+    const auto faults = dawn_faults(scratch(), {"alone.wgsl"});
+    return faults.empty() ? "" : faults.begin()->second.substr((scratch() / "alone.wgsl").string().size());
 }
 
 Drawing wgsl_drawing(const Sample& sample, const Shown& shown) {
@@ -120,7 +152,7 @@ Drawing wgsl_drawing(const Sample& sample, const Shown& shown) {
 
 std::string wgsl_refusal(const Sample& sample, std::vector<std::string>& texts) {
     for (const auto& [name, shader] : written(sample)) {
-        if (!shader.refusal.empty()) return name + ": naga: " + shader.refusal;
+        if (!shader.refusal.empty()) return name + ": " + shader.refusal;
     }
     for (const auto& [name, shader] : written(sample)) {
         const std::string entry = name.substr(0, name.find('.'));
