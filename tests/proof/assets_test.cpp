@@ -194,22 +194,38 @@ TEST(ExactTorus, ThreeMapsOneSurface) {
     }
 }
 
-// A bottle whose tangent-space map was baked into object space: both must shade alike where a texel belongs
-// to one place of the bottle, which a mask tells. Between the charts they do not (1 % of the pixels is off by
-// 30 degrees and more). Coarser levels mix charts, which face everywhere in object space (5 % off by 8
-// degrees and more): only the first level is read.
-TEST(WaterBottle, ObjectAndTangentSpaceAgree) {
-    SG_NEEDS("object-space/WaterBottle_object_normal.png");
-    const runtime::Scene scene = file_scene("gltf/khronos/WaterBottle/WaterBottle.gltf");
-    truth::Made tangent =
-        one_layer("gltf/khronos/WaterBottle/WaterBottle_normal.png", R"("encoding": "tangent_normal")",
-                  R"("kind": "normal_map", "basis": "vertex")");
-    truth::Made object = one_layer("object-space/WaterBottle_object_normal.png",
+// Models whose tangent-space map was baked into object space: both must shade alike where a texel belongs
+// to one place of the model, which a mask tells. Between the charts they do not (1 % of the pixels of
+// the bottle is off by 30 degrees and more). Coarser levels mix charts, which face everywhere in object space
+// (5 % off by 8 degrees and more): only the first level is read.
+struct Baked {
+    const char *name, *model, *map;
+};
+void PrintTo(const Baked& baked, std::ostream* out) {
+    *out << baked.name;
+}
+const Baked kBaked[] = {
+    {"WaterBottle", "gltf/khronos/WaterBottle/WaterBottle.gltf",
+     "gltf/khronos/WaterBottle/WaterBottle_normal.png"},
+    // It has no tangents: they are computed.
+    {"BoomBox", "materialx/resources/Geometry/boombox.glb",
+     "materialx/resources/Materials/Examples/GltfPbr/boombox/BoomBox_normal.png"},
+};
+class ObjectSpace : public testing::TestWithParam<Baked> {};
+
+TEST_P(ObjectSpace, AgreesWithTangentSpace) {
+    const std::string name = GetParam().name;
+    SG_NEEDS("object-space/" + name + "_object_normal.png");
+    SG_NEEDS(GetParam().model);
+    const runtime::Scene scene = file_scene(GetParam().model);
+    truth::Made tangent = one_layer(GetParam().map, R"("encoding": "tangent_normal")",
+                                    R"("kind": "normal_map", "basis": "vertex")");
+    truth::Made object = one_layer("object-space/" + name + "_object_normal.png",
                                    R"("encoding": "object_normal")", R"("kind": "object_normal_map")");
     const truth::Made bare = truth::make({R"({"version": 1})", {}, {"normal", "debug"}});
     Diags diags;
     const asset::Image mask =
-        asset::read_image(bytes_of("object-space/WaterBottle_mask.png"), "mask", {}, diags).value();
+        asset::read_image(bytes_of("object-space/" + name + "_mask.png"), "mask", {}, diags).value();
     auto draw = [&](const truth::Made& made, const char* view = "normal") {
         return truth::draw(made, scene, view, kPixels, kPixels);
     };
@@ -239,13 +255,15 @@ TEST(WaterBottle, ObjectAndTangentSpaceAgree) {
         }
     }
     const Numbers apart = numbers_of(masked), bump = numbers_of(bumps);
-    fmt::print("WaterBottle: apart {}\n  without the mask {}\n  with all levels {}\n  bumps {}\n",
+    fmt::print("{}: apart {}\n  without the mask {}\n  with all levels {}\n  bumps {}\n", name,
                text_of(apart), text_of(numbers_of(all)), text_of(coarse), text_of(bump));
     // Two maps of 8 bits: half a step of 1/127.5 in three channels each, 0.8 degrees.
     EXPECT_GT(apart.count, 3000u);
     EXPECT_LT(apart.p95, 0.8);
     EXPECT_GT(bump.p95, 3 * apart.p95);
 }
+INSTANTIATE_TEST_SUITE_P(Models, ObjectSpace, testing::ValuesIn(kBaked),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 // Bricks whose height and normal map come from a photograph: their slopes go together.
 TEST(AmbientCg, BricksHeightsGoWithTheirNormals) {
