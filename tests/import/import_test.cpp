@@ -94,7 +94,8 @@ void expect_materials(const import::ImportedFiles& imported, const fs::path& fro
         request.stem = "case";
         request.roots = {"in"};
         Diags diags;
-        EXPECT_TRUE(check_material(request, files, target::embedded_library(), diags)) << from << "\n" << render(diags);
+        EXPECT_TRUE(check_material(request, files, target::embedded_library(), diags)) << from << "\n"
+                                                                                       << render(diags);
     }
 }
 

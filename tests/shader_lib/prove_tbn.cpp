@@ -54,8 +54,7 @@ std::vector<Case> made_basis_cases() {
          // below 1.3.
          .bound = {.absolute = 16 * kUlp},
          .condition = [](const In& in) { return 1.3 / glm::length(in.v3(0)); },
-         .mutants = {{kFile, "SgBasis(scale * vertex_tangent.xyz",
-                      "SgBasis(vertex_tangent.xyz"}}},
+         .mutants = {{kFile, "SgBasis(scale * vertex_tangent.xyz", "SgBasis(vertex_tangent.xyz"}}},
         {.name = "basis_uv",
          .include = kFile,
          .inputs = 15,
