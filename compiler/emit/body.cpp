@@ -103,9 +103,13 @@ void Body::count_uses() {
             if (leaves_layer && used.type == ir::Type::SurfGrad) layer_result_[operand.index] = true;
         }
     }
+    // What an alpha test compares is an output as well; a function leaves the test to its caller.
+    bool tested_and_shown = wording_ == stage_wording && module_.output(ir::Output::cutoff).valid() &&
+                            module_.output(ir::Output::base_color).valid();
     for (const ir::OutputBinding& output : module_.outputs) {
         bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output) ||
                            output.output == ir::Output::normal_derivatives;
+        if (output.output == ir::Output::opacity) taken_apart = tested_and_shown;
         uses_[output.value.index] += taken_apart ? 2 : 1;
         if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
     }

@@ -51,6 +51,18 @@ std::string without_shader_hashes(const std::string& manifest) {
     return std::regex_replace(manifest, kHash, "$1\"...\"");
 }
 
+// A read of a texture that a text has twice, or "".
+std::string read_twice(const std::string& glsl) {
+    std::set<std::string> seen;
+    for (std::size_t at = glsl.find("sg_sample("); at != glsl.npos; at = glsl.find("sg_sample(", at + 1)) {
+        std::size_t end = glsl.find('(', at) + 1;
+        for (int open = 1; open > 0 && end < glsl.size(); ++end)
+            open += glsl[end] == '(' ? 1 : glsl[end] == ')' ? -1 : 0;
+        if (!seen.insert(glsl.substr(at, end - at)).second) return glsl.substr(at, end - at);
+    }
+    return "";
+}
+
 class Sample : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Sample, Golden) {
@@ -58,8 +70,10 @@ TEST_P(Sample, Golden) {
     Compiled out = compile(GetParam());
     test::expect_golden("golden/" + stem + "/lowered.ir", out.ir);
     test::expect_golden("golden/" + stem + "/optimised.ir", out.optimised_ir);
-    for (const NamedText& t : out.glsl)
+    for (const NamedText& t : out.glsl) {
         test::expect_golden("golden/" + stem + "/" + t.name + ".glsl", t.text);
+        EXPECT_EQ(read_twice(t.text), "") << t.name;
+    }
     test::expect_golden("golden/" + stem + "/manifest.json", without_shader_hashes(out.files.back().second));
 }
 

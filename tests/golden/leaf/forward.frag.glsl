@@ -52,8 +52,9 @@ void main() {
     vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_vein));
 
     float m_mix = mix(0.35, 0.7, sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value));
-    if (1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten < 0.58) discard;
+    float m_subtract = 1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten;
+    if (m_subtract < 0.58) discard;
     SgSurface sg_surface = SgSurface(vec3(0.16, 0.5, 0.12) * sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow);
     vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()));
-    sg_out_color = vec4(sg_radiance, 1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten);
+    sg_out_color = vec4(sg_radiance, m_subtract);
 }
