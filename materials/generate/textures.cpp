@@ -11,7 +11,7 @@
 namespace sg::samples {
 namespace {
 
-constexpr std::array<TextureRecipe, 19> kRecipes{{
+constexpr std::array<TextureRecipe, 21> kRecipes{{
     {"brick_normal.png", 256, brick_height, false, true, 127.5},
     {"scratch_normal_xy.png", 256, scratch_height, true, false, 127.5},
     {"weave_normal.png", 128, weave_height, false, false, 128.0},
@@ -26,6 +26,8 @@ constexpr std::array<TextureRecipe, 19> kRecipes{{
     {"pebble_sphere_object.png", 128, pebble_height, false, true, 127.5, Content::object_normal},
     {"dome_normal.png", 128, dome_height, false, true, 127.5, Content::normal, 0.0, 1.0, true},
     {"dome_height.png", 128, dome_height, false, true, 127.5, Content::height, 0.0, 0.15, true},
+    {"dome_normal_coarse.png", 32, dome_height, false, true, 127.5, Content::normal, 0.0, 1.0, true},
+    {"dome_height_coarse.png", 32, dome_height, false, true, 127.5, Content::height, 0.0, 0.15, true},
     {"brick_height.png", 128, brick_height, false, true, 127.5, Content::height, 0.0, 0.02, true},
     {"ripple_normal.png", 128, ripple_height, false, true, 127.5},
     {"pebble_height_fine.png", 256, pebble_height, false, true, 127.5, Content::height, 0.0, 0.04, true},

@@ -141,6 +141,9 @@ Claim read_claim(const SourcePtr& source, const Value& value, const Figure& figu
     if (out.held && !figure.held)
         diags.error(Code::missing_key, out.place,
                     "a claim about held weights needs \"held\": true in 'truth'");
+    out.tilted = reader.number("tilted", 0, 0, 90);
+    if (out.tilted > 0 && figure.truth.empty())
+        diags.error(Code::missing_key, out.place, "a claim about tilted pixels needs the key 'truth'");
     std::size_t kinds = 0;
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         const Value* limit = reader.get(kKinds[i], Kind::number);
@@ -167,6 +170,7 @@ void read_truth(const SourcePtr& source, const Value& value, Figure& out, Diags&
     Reader reader(source, value, "the truth", diags);
     out.truth = reader.text("material", true);
     out.heights = reader.texts("heights");
+    out.truth_parameters = reader.texts("parameters");
     out.held = reader.flag("held");
     reader.finish();
 }

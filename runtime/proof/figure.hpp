@@ -4,18 +4,19 @@
 //     "mesh": "sphere", "detail": 4, "size": [360, 300], "light": [x, y, z],
 //     "camera": { "position": [x, y, z], "target": [x, y, z], "fov": 30, "ortho": 0 },
 //     "materials": "..",                                  where textures are, relative to this file
-//     "truth": { "material": "ours.json", "heights": ["map=textures/h.png:0.1"], "held": true },
+//     "truth": { "material": "ours.json", "heights": ["map=textures/h.png:0.1"], "parameters": ["a=1"],
+//                "held": true },
 //     "pictures": [ { "id": "old", "material": "old.json", "label": "...", "parameters": ["a=1"] } ],
 //     "claims": [ { "text": "...", "picture": "old", "number": "median", ...one of
 //                   "below": 0.5 | "above": 5 | "times": 5, "than": "ours" | "apart": 0.1, "from": "ours",
-//                   "held": true } ]
-//                   }
+//                   "held": true, "tilted": 10 } ] }
 //
 // Numbers are degrees: median, p95, p99 or max of the angles to the truth, or with "from" to another picture.
 // Where weights vary over the surface (shares of planes, edges of decals) every method leaves out their
 // change, H grad w. "held": true in "truth" also measures the pictures against the surface whose weights are
 // held as they are at each pixel, and how far that is from the truth; a claim with "held": true is about
-// those angles.
+// those angles. "tilted": 10 counts only pixels where the truth is 10 degrees or more from the smooth
+// surface: level ground, which every method shows alike, would hide what they do to slopes.
 #pragma once
 
 #include <optional>
@@ -39,6 +40,7 @@ struct Claim {
     Kind kind = Kind::below;
     double value = 0;
     bool held = false;  // against the truth with its weights held
+    double tilted = 0;  // degrees: only where the truth is that far from the smooth surface
     Place place;
 };
 
@@ -51,7 +53,7 @@ struct Figure {
     std::optional<runtime::Camera> camera;
     std::filesystem::path folder, materials;
     std::string truth;  // a material, or "" where nothing is displaced
-    std::vector<std::string> heights;
+    std::vector<std::string> heights, truth_parameters;
     bool held = false;  // measure against held weights too
     std::vector<FigurePicture> pictures;
     std::vector<Claim> claims;

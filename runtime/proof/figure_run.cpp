@@ -82,7 +82,8 @@ std::optional<DrawnPicture> draw_one(const Figure& figure, const FigurePicture& 
 
 std::optional<TruePictures> draw_truth(const Figure& figure, std::uint32_t shrink,
                                        runtime::gpu::Device& device, Files& files, Diags& diags) {
-    auto compiled = compile(arguments_of(figure, figure.truth, {}, shrink), "normal", files, diags);
+    auto compiled =
+        compile(arguments_of(figure, figure.truth, figure.truth_parameters, shrink), "normal", files, diags);
     if (!compiled) return std::nullopt;
     auto judge = make_judge(compiled->job, figure.mesh, compiled->located.manifest, figure.materials,
                             figure.heights, files, diags);
@@ -121,10 +122,23 @@ double number(const Numbers& numbers, const std::string& name) {
     return name == "max" ? numbers.max : numbers.median;
 }
 
+// The angles of the pixels that a claim is about.
+Numbers claimed(const Claim& claim, const std::vector<double>& degrees, const DrawnFigure& figure) {
+    if (claim.tilted == 0) return numbers_of(degrees);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < figure.tilt.size(); ++i) {
+        if (figure.tilt[i] >= claim.tilted) out.push_back(degrees[i]);
+    }
+    return numbers_of(std::move(out));
+}
+
 void judge_claim(const Claim& claim, DrawnFigure& out, Diags& diags) {
     const DrawnPicture& picture = picture_named(out, claim.picture);
+    std::size_t pixels = 0;
     auto angles = [&](const DrawnPicture& p) {
-        return number(claim.held ? p.held : p.numbers, claim.number);
+        const Numbers numbers = claimed(claim, claim.held ? p.held_degrees : p.degrees, out);
+        pixels = numbers.count;
+        return number(numbers, claim.number);
     };
     double found = angles(picture);
     bool holds = false;
@@ -147,13 +161,19 @@ void judge_claim(const Claim& claim, DrawnFigure& out, Diags& diags) {
         }
         case Claim::Kind::apart: {
             const DrawnPicture& other = picture_named(out, claim.other);
-            found = number(numbers_of(angles_between(picture.normals, other.normals).degrees), claim.number);
+            const Numbers numbers =
+                claimed(claim, angles_between(picture.normals, other.normals).degrees, out);
+            pixels = numbers.count;
+            found = number(numbers, claim.number);
             holds = found < claim.value;
             measured = fmt::format("{} and {}: {} {:.3g} degrees apart, below {:g}", picture.picture.label,
                                    other.picture.label, claim.number, found, claim.value);
             break;
         }
     }
+    if (claim.tilted > 0)
+        measured += fmt::format("; of {} pixels tilted by {:g} degrees or more", pixels, claim.tilted);
+    holds = holds && pixels > 0;
     if (!holds)
         diags.error(Code::claim_failed, claim.place, fmt::format("the claim does not hold: {}", measured));
     out.claims.emplace_back(claim.text + " (" + measured + ")", holds);
@@ -173,12 +193,15 @@ std::optional<DrawnFigure> draw_figure(const Figure& figure, std::uint32_t shrin
         const auto truth = draw_truth(figure, shrink, device, files, diags);
         if (!truth) return std::nullopt;
         out.truth = shaded(truth->normal, figure.light.value_or(runtime::Light{}.direction));
+        out.tilt = truth->tilt.degrees;
         std::vector<Angles> all;
         double worst = 0;
         for (DrawnPicture& picture : out.pictures) {
             all.push_back(angles_between(picture.normals, truth->normal));
-            picture.numbers = numbers_of(all.back().degrees);
-            if (figure.held) picture.held = numbers_of(angles_between(picture.normals, truth->held).degrees);
+            picture.degrees = all.back().degrees;
+            picture.numbers = numbers_of(picture.degrees);
+            if (figure.held) picture.held_degrees = angles_between(picture.normals, truth->held).degrees;
+            picture.held = numbers_of(picture.held_degrees);
             worst = std::max(worst, picture.numbers.p95);
         }
         if (figure.held) out.neglected = numbers_of(angles_between(truth->normal, truth->held).degrees);

@@ -13,8 +13,9 @@ struct DrawnPicture {
     std::string error;  // PNG, the map of angles; "" without a truth
     Numbers numbers;    // of the angles to the truth
     Numbers held;       // and to that with its weights held, if the figure asks for it
-    std::string json;   // the material
-    std::string glsl;   // its fragment shader of the entry point `forward`
+    std::vector<double> degrees, held_degrees;  // of which these are the numbers, per pixel
+    std::string json;                           // the material
+    std::string glsl;                           // its fragment shader of the entry point `forward`
     runtime::Picture normals;
 };
 
@@ -23,7 +24,8 @@ struct DrawnFigure {
     std::vector<DrawnPicture> pictures;
     std::string
         truth;  // PNG: normals of the displaced surface, lit by the direction of the light; "" without
-    Numbers neglected;  // of the angles between the truth and that with its weights held, if asked for
+    std::vector<double> tilt;  // per pixel, degrees from the smooth surface to the truth
+    Numbers neglected;         // of the angles between the truth and that with its weights held, if asked for
     std::vector<std::pair<std::string, bool>> claims;  // what was measured, and whether it holds
 };
 

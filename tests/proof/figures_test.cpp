@@ -117,7 +117,8 @@ TEST_F(GalleryFaults, AreAllReportedWithTheirPlace) {
 "detail": 99, "text": "x", "mesh": "plane",
 "pictures": [ { "id": "a", "material": "a.json" } ],
 "claims": [
-{ "text": "t", "picture": "b", "below": 1, "above": 2 } ] })";
+{ "text": "t", "picture": "b", "below": 1, "above": 2 },
+{ "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] })";
     EXPECT_EQ(run_with("bad.figure.json", json),
               R"(bad.figure.json:1:12: error: expected a string, not a number [SG1103]
 { "title": 1, "mash": "sphere",
@@ -132,11 +133,17 @@ bad.figure.json:3:15: error: a picture needs the key 'label' [SG1102]
 "pictures": [ { "id": "a", "material": "a.json" } ],
               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
 bad.figure.json:5:1: error: a claim needs exactly one of 'below', 'above', 'times' and 'apart' [SG1102]
-{ "text": "t", "picture": "b", "below": 1, "above": 2 } ] }
+{ "text": "t", "picture": "b", "below": 1, "above": 2 },
 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
 bad.figure.json:5:27: error: unknown picture 'b', expected 'a', did you mean 'a'? [SG1106]
-{ "text": "t", "picture": "b", "below": 1, "above": 2 } ] }
+{ "text": "t", "picture": "b", "below": 1, "above": 2 },
                           ^^^
+bad.figure.json:6:1: error: a claim about tilted pixels needs the key 'truth' [SG1102]
+{ "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] }
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+bad.figure.json:6:54: error: 'tilted' must be from 0 to 90, not 91 [SG1104]
+{ "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] }
+                                                     ^^
 )");
 }
 
@@ -149,6 +156,20 @@ TEST_F(GalleryFaults, HeldWeightsMustBeAskedFor) {
     EXPECT_NE(text.find("error: a claim about held weights needs \"held\": true in 'truth' [SG1102]"),
               std::string::npos)
         << text;
+}
+
+// Nothing can be said about pixels that are not there.
+TEST_F(GalleryFaults, AClaimAboutNoPixelFails) {
+    const std::string figure = test::read_file(figures_folder() / "figure_8.figure.json");
+    std::string json = replaced(figure, R"("below": 0.58)", R"("below": 0.58, "tilted": 90)");
+    json = replaced(json, "\"..\"", "\"" + figures_folder().parent_path().string() + "\"");
+    RealFiles files;
+    for (const char* name : {"screen", "forward", "hq", "map"}) {
+        const std::string file = fmt::format("magnified_{}.json", name);
+        ASSERT_EQ(files.write_all({{folder_ / file, files.read(figures_folder() / file).bytes}}), "");
+    }
+    const std::string text = run_with("level.figure.json", json);
+    EXPECT_NE(text.find("; of 0 pixels tilted by 90 degrees or more [SG2111]"), std::string::npos) << text;
 }
 
 TEST_F(GalleryFaults, OfTheCommandLine) {
