@@ -20,6 +20,11 @@ struct Point {
     glm::dvec3 along_s;  // unit dP/ds
 };
 
+// From 0 to 1 and back, without a seam.
+float band(double x) {
+    return static_cast<float>(0.5 - 0.5 * std::cos(kTau * x));
+}
+
 // On each of these charts cross(N, dP/ds) points to -t, as in an upright picture seen from its front.
 std::uint32_t add_vertex(asset::Mesh& mesh, const Point& point, glm::dvec2 st, bool mirror_u) {
     const double sign = mirror_u ? -1.0 : 1.0;
@@ -28,6 +33,8 @@ std::uint32_t add_vertex(asset::Mesh& mesh, const Point& point, glm::dvec2 st, b
     mesh.tangents.emplace_back(glm::vec3(sign * point.along_s), static_cast<float>(-sign));
     mesh.uvs[0].emplace_back(mirror_u ? 1.0 - st.x : st.x, st.y);
     mesh.uvs[1].emplace_back(st.y, st.x);
+    mesh.uvs[2].emplace_back(st.x + st.y, st.y - st.x);
+    mesh.colors.emplace_back(band(st.x), band(st.y), band(st.x - 0.25), 1.0f);
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 

@@ -1,5 +1,5 @@
-// The meshes that are built in: exact normals, exact tangents, two uv sets. README.md beside this file has
-// the formulas.
+// The meshes that are built in: exact normals, exact tangents, three uv sets, colours. README.md beside this
+// file has the formulas.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,10 @@ namespace sg::runtime {
 std::optional<asset::Mesh> make_shape(std::string_view name, int detail = 1);
 std::span<const std::string_view> shape_names();
 
-// Every maker fills normals, tangents, uvs[0] = (s, t) and uvs[1] = (t, s), a chart turned by 90 degrees and
-// mirrored. The tangents belong to uvs[0]. `mirror_u` replaces uvs[0] by (1 - s, t), with tangent and w to
-// match. Lengths are in object units; counts below 1 (plane), 3 (around) or 2 (stacks) are raised to that.
+// Every maker fills normals, tangents, colours, uvs[0] = (s, t), uvs[1] = (t, s), a chart turned by 90
+// degrees and mirrored, and uvs[2] = (s + t, t - s), one turned by 45. The tangents belong to uvs[0].
+// `mirror_u` replaces uvs[0] by (1 - s, t), with tangent and w to match. Lengths are in object units; counts
+// below 1 (plane), 3 (around) or 2 (stacks) are raised to that.
 
 // n x n quads on the square of side 2 in XY, facing +Z.
 asset::Mesh make_plane(int n, bool mirror_u);

@@ -54,8 +54,10 @@ runtime::gpu::Device& llvmpipe() {
 runtime::Scene make_scene() {
     runtime::Scene scene;
     asset::Mesh mesh = *runtime::make_shape("torus");
+    mesh.colors.clear();
     for (const glm::vec3& p : mesh.positions) mesh.colors.emplace_back(0.5f * p + 0.5f, 1.0f);
     for (std::size_t set = 2; set < mesh.uvs.size(); ++set) {
+        mesh.uvs[set].clear();
         for (const glm::vec2& uv : mesh.uvs[0]) mesh.uvs[set].push_back(uv * static_cast<float>(set));
     }
     scene.content.meshes.push_back(std::move(mesh));

@@ -42,6 +42,8 @@ TEST(Shapes, AttributesAreWhole) {
         ASSERT_EQ(mesh.tangents.size(), count) << name;
         ASSERT_EQ(mesh.uvs[0].size(), count) << name;
         ASSERT_EQ(mesh.uvs[1].size(), count) << name;
+        ASSERT_EQ(mesh.uvs[2].size(), count) << name;
+        ASSERT_EQ(mesh.colors.size(), count) << name;
         std::set<std::uint32_t> used(mesh.indices.begin(), mesh.indices.end());
         EXPECT_EQ(used.size(), count) << name;
         EXPECT_LT(*used.rbegin(), count) << name;

@@ -77,7 +77,7 @@ TEST(Tangents, TrianglesWithoutUvAreaDoNoHarm) {
 TEST(Tangents, WithoutNormalsOrUvsNothingChanges) {
     Mesh mesh = make_plane(1, false);
     mesh.tangents.clear();
-    EXPECT_FALSE(make_tangents(mesh, 2));
+    EXPECT_FALSE(make_tangents(mesh, 3));
     EXPECT_FALSE(make_tangents(mesh, 8));
     EXPECT_FALSE(make_tangents(mesh, -1));
     mesh.normals.clear();
