@@ -29,6 +29,14 @@ LowerContext::LowerContext(ir::Builder& builder, std::vector<TextureFacts> facts
       sides_(sides),
       numbers_(numbers) {}
 
+namespace {
+
+bool is_tiled(const FieldValue& tiling) {
+    return tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
+}
+
+}  // namespace
+
 void LowerContext::set_layer(ir::LayerId layer) {
     layer_ = layer;
     builder_.set_layer(layer);
@@ -139,10 +147,12 @@ ValueId LowerContext::uv(const Coordinate& c) {
     return builder_.add(Op::uv_transform, {base, scale, rotation, offset}, "uv");
 }
 
+// What parallax looked along goes straight to what is seen.
 ValueId LowerContext::uv(const Coordinate& coordinate, const FieldValue& tiling) {
+    if (!is_tiled(tiling)) return uv(coordinate);
+    if (looked_along(coordinate, tiling)) return seen_uv();
     ValueId base = uv(coordinate);
-    bool tiled = tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1;
-    return tiled ? builder_.add(Op::uv_scale, {base, pair(tiling)}, "uv") : base;
+    return builder_.add(Op::uv_scale, {base, pair(tiling)}, "uv");
 }
 
 ValueId LowerContext::mesh_volume(Space space) {
@@ -248,7 +258,8 @@ MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue&
     } else {
         frame();
     }
-    place.uv = uv(coordinate);
+    bool tiled = is_tiled(tiling), seen = tiled && looked_along(coordinate, tiling);
+    place.uv = seen ? seen_uv() : uv(coordinate);
     auto turn = [&](ValueId scale) {
         // A negative tiling mirrors the picture, so +s and +t turn; tangents from the uv see that by
         // themselves.
@@ -256,9 +267,9 @@ MapPlace LowerContext::place_map(const Coordinate& coordinate, const FieldValue&
             place.vertex_basis = builder_.add(Op::basis_mirror, {place.vertex_basis, scale}, "basis");
     };
     if (coordinate.scale != std::array{1.0, 1.0}) turn(scale_of(coordinate));
-    if (tiling.parameter.valid() || tiling.number[0] != 1 || tiling.number[1] != 1) {
+    if (tiled) {
         ValueId scale = pair(tiling);
-        place.uv = builder_.add(Op::uv_scale, {place.uv, scale}, "uv");
+        if (!seen) place.uv = builder_.add(Op::uv_scale, {place.uv, scale}, "uv");
         turn(scale);
     }
     return place;

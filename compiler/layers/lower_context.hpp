@@ -34,7 +34,9 @@ enum class Sides : std::uint32_t { off, mirror, flip };
 
 // What parallax found, seen from the mesh.
 struct Found {
-    ir::ValueId uv;      // of the mesh: the coordinate that was looked along
+    ir::ValueId uv;         // of the mesh: the coordinate that was looked along
+    Coordinate coordinate;  // that it was made from
+    FieldValue tiling;
     ir::ValueId offset;  // of that coordinate
     ir::ValueId height;  // along the normal of the side that is seen, world units
     bool curved = true;  // whether the normal of the mesh is another one there
@@ -150,6 +152,8 @@ private:
     ir::ValueId uv_set(std::uint32_t set);
     ir::ValueId base_uv(std::uint32_t set);
     ir::ValueId moved_uv(std::uint32_t set);
+    ir::ValueId seen_uv();
+    [[nodiscard]] bool looked_along(const Coordinate& coordinate, const FieldValue& tiling) const;
     ir::ValueId mesh_volume(Space space);
     ir::ValueId viewed_frame();
     ir::ValueId rebuilt_frame();
@@ -178,9 +182,11 @@ private:
     bool surface_ = false;      // see begin_surface
     ir::ValueId viewed_frame_, normal_derivatives_, pixels_, moved_position_;
     std::map<std::uint32_t, ir::ValueId> moved_uvs_;
+    ir::ValueId found_uv_;
     // The same in the current stage.
     ir::ValueId rebuilt_frame_;
     std::array<ir::ValueId, 2> moved_volumes_;
+    std::array<ir::ValueId, 2> last_volumes_;  // of the last stage that asked for them
     std::map<std::uint32_t, ir::ValueId> detail_uvs_;
     // By stage; the last is the current one.
     std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};

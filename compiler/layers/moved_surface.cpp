@@ -71,6 +71,17 @@ ValueId LowerContext::moved_uv(std::uint32_t set) {
     });
 }
 
+bool LowerContext::looked_along(const Coordinate& coordinate, const FieldValue& tiling) const {
+    return moved() && (!on_detail() || surface_) && coordinate == found_.coordinate &&
+           tiling.parameter == found_.tiling.parameter && tiling.number == found_.tiling.number;
+}
+
+ValueId LowerContext::seen_uv() {
+    return shared(found_uv_, [&] {
+        return builder_.add(Op::parallax_uv, {found_.uv, found_.offset}, "seen_uv");
+    });
+}
+
 ValueId LowerContext::base_uv(std::uint32_t set) {
     if (!moved()) return uv_set(set);
     if (!on_detail() || surface_) return moved_uv(set);
@@ -90,13 +101,17 @@ ValueId LowerContext::rebuilt_frame() {
     });
 }
 
+// The surface's inputs take the footprint of the last entry that asked for one: a frame of their own would be
+// the same point on a plane a little more bumped.
 ValueId LowerContext::volume(Space space) {
     if (!moved()) return mesh_volume(space);
+    const auto which = static_cast<std::size_t>(space);
+    if (surface_ && last_volumes_[which].valid()) return last_volumes_[which];
     ValueId plane = rebuilt_frame();
-    return shared(moved_volumes_[static_cast<std::size_t>(space)], [&] {
-        return builder_.add(space == Space::object ? Op::volume_object_at : Op::volume_world_at, {plane},
-                            std::string(name_of(space)));
-    });
+    return last_volumes_[which] = shared(moved_volumes_[which], [&] {
+               return builder_.add(space == Space::object ? Op::volume_object_at : Op::volume_world_at,
+                                   {plane}, std::string(name_of(space)));
+           });
 }
 
 }  // namespace sg::layers

@@ -28,7 +28,8 @@ Start start(LowerContext& context, FieldValues values) {
 
 // The end of all: the surface that was found takes the place of the mesh.
 void finish(LowerContext& context, FieldValues values, const Start& from, ValueId offset, ValueId height) {
-    context.move_surface({from.uv, offset, height, values[kMesh].index == kCurved});
+    context.move_surface(
+        {from.uv, values[kUv].uv, values[kTiling], offset, height, values[kMesh].index == kCurved});
 }
 
 // (scale, bias) of a texel: the surface lies at bias + scale texel along the normal that the viewer sees.

@@ -46,10 +46,10 @@ void main() {
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
 
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
+    SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    SgUv m_stones_uv = sg_uv_scale(sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy), vec2(5.0, 2.0));
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_stones_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_stones_uv));
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
     vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
@@ -66,7 +66,7 @@ void main() {
     vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     vec3 m_add_volgrad = -0.1 * sg_stage_gradient_from_object(4.0 * m_dents_noise.gradient) + 0.25 * m_grain_gradient;
-    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_stones_uv).rgb, 1.0);
+    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_seen_uv).rgb, 1.0);
     sg_out_normal = vec4(sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)), 0.85);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);

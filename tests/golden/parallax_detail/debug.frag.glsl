@@ -43,11 +43,10 @@ void main() {
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
 
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
-    SgUv m_moved_uv0 = sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy);
+    SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    SgUv m_stones_uv = sg_uv_scale(m_moved_uv0, vec2(5.0, 2.0));
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_stones_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_stones_uv));
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
     vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
@@ -78,6 +77,5 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
     sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
     sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax);  // moved-position
-    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
     sg_out_value = sg_shown;
 }

@@ -45,10 +45,10 @@ void main() {
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
 
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
+    SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    SgUv m_stones_uv = sg_uv_scale(sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy), vec2(5.0, 2.0));
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_stones_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_stones_uv));
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
     vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
@@ -65,7 +65,7 @@ void main() {
     vec2 m_scratches_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5);
     vec3 m_scratches = sg_surfgrad_from_tbn(0.6 * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame_3, m_detail_uv1));
 
-    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_stones_uv).rgb, 1.0);
+    sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_seen_uv).rgb, 1.0);
     sg_out_normal = vec4(sg_resolve(m_normal, m_weave + m_scratches), 0.7);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
