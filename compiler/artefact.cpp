@@ -146,8 +146,7 @@ Json parameter_block_json(const ArtefactInput& input) {
     for (std::size_t i = 0; i < input.material->parameters.size(); ++i) {
         const material::CheckedParameter& p = input.material->parameters[i];
         Json fallback = Json::array();
-        for (std::size_t k = 0; k < ir::component_count(material::ir_type(p.type)); ++k)
-            fallback.push_back(p.fallback[k]);
+        for (std::size_t k = 0; k < material::number_count(p.type); ++k) fallback.push_back(p.fallback[k]);
         Json row = {{"name", p.name},
                     {"type", material::parameter_type_name(p.type)},
                     {"offset", input.interface->parameters[i].offset},

@@ -91,7 +91,7 @@ std::vector<std::vector<float>> default_values(const ir::Module& module,
     for (const material::CheckedParameter& p : material.parameters) {
         ir::Type type = material::ir_type(p.type);
         out.push_back(stored(ir::datum_of(type, p.fallback)));
-        std::array<double, 4> rounded{};
+        std::array<double, 16> rounded{};
         std::copy(out.back().begin(), out.back().end(), rounded.begin());
         bindings.parameters.push_back(ir::datum_of(type, rounded));
     }

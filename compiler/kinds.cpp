@@ -39,6 +39,10 @@ std::string values(const Field& field) {
             return fmt::format("three numbers, {}, `$parameter`, `@node`, a node", bounds);
         case FieldKind::vector:
             return fmt::format("three numbers, {}", bounds);
+        case FieldKind::matrix:
+            return "`$parameter` of type `mat4`";
+        case FieldKind::entry:
+            return "the id of an earlier entry";
         case FieldKind::direction:
             return "three numbers, not all 0";
         case FieldKind::range:
@@ -67,6 +71,8 @@ std::string fallback(const Field& field) {
         case FieldKind::identifier:
         case FieldKind::arguments:
         case FieldKind::layer:
+        case FieldKind::matrix:
+        case FieldKind::entry:
             return "";
         case FieldKind::vector:
             return fmt::format("{0}, {0}, {0}", field.fallback);

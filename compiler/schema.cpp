@@ -60,6 +60,8 @@ Json value_of(const Field& field) {
                       reference("node")}}};
         case FieldKind::vector:
             return numbers(3, bounded);
+        case FieldKind::matrix:
+            return reference("parameter_reference");
         case FieldKind::direction:
             return numbers(3, number(-1e6, 1e6));
         case FieldKind::range:
@@ -67,6 +69,7 @@ Json value_of(const Field& field) {
         case FieldKind::file:
             return {{"type", "string"}, {"minLength", 1}};
         case FieldKind::identifier:
+        case FieldKind::entry:
             return reference("name");
         case FieldKind::arguments:
             return {
@@ -81,9 +84,9 @@ Json described(const Field& field) {
     Json out = value_of(field);
     std::string unit = field.unit.empty() ? "" : fmt::format(" ({})", field.unit);
     out["description"] = std::string(field.doc) + unit;
-    constexpr FieldKind kNone[] = {FieldKind::texture,   FieldKind::range, FieldKind::direction,
-                                   FieldKind::arguments, FieldKind::file,  FieldKind::identifier,
-                                   FieldKind::layer};
+    constexpr FieldKind kNone[] = {FieldKind::texture,   FieldKind::range,  FieldKind::direction,
+                                   FieldKind::arguments, FieldKind::file,   FieldKind::identifier,
+                                   FieldKind::layer,     FieldKind::matrix, FieldKind::entry};
     if (field.required || std::find(std::begin(kNone), std::end(kNone), field.kind) != std::end(kNone))
         return out;
     if (field.kind == FieldKind::choice) {
@@ -224,7 +227,7 @@ Json parameter_value() {
              {{{"type", "number"}},
               {{"type", "boolean"}},
               {{"type", "string"}, {"minLength", 1}},
-              {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 4}}}}};
+              {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 16}}}}};
 }
 
 Json parameter_of(std::span<const std::string_view> types, Json value, bool ranged) {
@@ -237,7 +240,7 @@ Json parameter_of(std::span<const std::string_view> types, Json value, bool rang
 
 Json parameter_definition() {
     constexpr std::string_view kFloat[] = {"float"}, kVec2[] = {"vec2"}, kThree[] = {"vec3", "color"},
-                               kVec4[] = {"vec4"}, kBool[] = {"bool"}, kInt[] = {"int"},
+                               kVec4[] = {"vec4"}, kBool[] = {"bool"}, kInt[] = {"int"}, kMatrix[] = {"mat4"},
                                kTexture[] = {"texture"};
     Json any = {{"type", "number"}};
     return {
@@ -245,7 +248,7 @@ Json parameter_definition() {
          {parameter_of(kFloat, any, true), parameter_of(kVec2, numbers(2, any), true),
           parameter_of(kThree, numbers(3, any), true), parameter_of(kVec4, numbers(4, any), true),
           parameter_of(kInt, {{"type", "integer"}}, true), parameter_of(kBool, {{"type", "boolean"}}, false),
-          parameter_of(kTexture, reference("name"), false)}}};
+          parameter_of(kMatrix, numbers(16, any), false), parameter_of(kTexture, reference("name"), false)}}};
 }
 
 Json surface_definition() {

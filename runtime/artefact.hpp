@@ -59,9 +59,9 @@ struct EntryPoint {
 struct Parameter {
     std::string name;
     std::string
-        type;  // "float", "vec2", "vec3", "vec4", "color", "bool" or "int"; the last two are floats, too
+        type;  // "float", "vec2", "vec3", "vec4", "color", "bool", "int" (both are floats, too) or "mat4"
     std::size_t offset = 0;
-    std::vector<float> initial;  // 1 to 4 numbers, as the type says
+    std::vector<float> initial;  // as many numbers as the type says; a matrix by its columns
     std::optional<std::array<double, 2>> range;
 };
 // Numbers that are computed from the parameters whenever one of them changes.

@@ -9,9 +9,10 @@
 
 namespace sg::runtime {
 
-// One to four numbers. A single one stands for as many as are wanted.
+// One to four numbers, or the 16 of a matrix by its columns, with which no expression computes. A single one
+// stands for as many as are wanted.
 struct Numbers {
-    std::array<double, 4> at{};
+    std::array<double, 16> at{};
     std::size_t count = 1;
     [[nodiscard]] double operator[](std::size_t i) const { return at[count == 1 ? 0 : i]; }
 };

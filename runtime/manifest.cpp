@@ -176,9 +176,9 @@ EntryPoint read_entry(const Node& node) {
 }
 
 Parameter read_parameter(const Node& node, std::size_t block_size) {
-    static constexpr std::array<std::string_view, 7> kTypes = {"float", "vec2", "vec3", "vec4",
-                                                               "color", "bool", "int"};
-    static constexpr std::array<std::size_t, 7> kComponents = {1, 2, 3, 4, 3, 1, 1};
+    static constexpr std::array<std::string_view, 8> kTypes = {"float", "vec2", "vec3", "vec4",
+                                                               "color", "bool", "int",  "mat4"};
+    static constexpr std::array<std::size_t, 8> kComponents = {1, 2, 3, 4, 3, 1, 1, 16};
     constexpr double kFloatMax = 3.4028234663852886e38;
     Parameter parameter;
     parameter.name = node.at("name").text_or_empty();
@@ -219,7 +219,12 @@ Expression read_reference(const Node& node, const Known& known) {
         auto at = std::find(known.parameters.begin(), known.parameters.end(), text.substr(1));
         out.index = static_cast<std::size_t>(at - known.parameters.begin());
         out.kind = Expression::Kind::parameter;
-        if (at != known.parameters.end()) return out;
+        if (at != known.parameters.end()) {
+            if (known.parameter_counts[out.index] > 4)
+                node.fail(
+                    fmt::format("is '{}', a matrix, with which no expression computes", printable(text)));
+            return out;
+        }
     }
     for (out.index = 0; out.index < known.step_counts.size(); ++out.index) {
         out.kind = Expression::Kind::step;

@@ -13,6 +13,7 @@ struct Std140 {
     std::uint32_t alignment;
 };
 Std140 std140(ir::Type type) {
+    if (type == ir::Type::Projector) return {64, 16};
     switch (ir::component_count(type)) {
         case 1:
             return {4, 4};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "base/ice.hpp"
 #include "ir/evaluate_ops.hpp"
@@ -83,7 +84,8 @@ dvec4 Sampled::at_level(dvec2 place, double wanted) const {
     return t > 0.0 ? (1.0 - t) * nearest(fine) + t * nearest(fine + 1) : nearest(fine);
 }
 
-Datum datum_of(Type type, const std::array<double, 4>& number) {
+Datum datum_of(Type type, std::span<const double> number) {
+    if (type == Type::Projector) return glm::make_mat4(number.data());
     switch (component_count(type)) {
         case 1:
             return number[0];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -95,8 +96,9 @@ struct Bindings {
     std::vector<Datum> parameters;  // each as wide as its type
 };
 
-// A constant or a parameter's value: the first components of `number`, as many as the type has.
-Datum datum_of(Type type, const std::array<double, 4>& number);
+// A constant or a parameter's value: the first components of `number`, as many as the type has; a matrix by
+// its columns.
+Datum datum_of(Type type, std::span<const double> number);
 
 // What the host computes from the parameters, by Value::index of Op::derived.
 std::vector<Datum> derived_values(const Module& module, const Bindings& bindings);

@@ -112,7 +112,7 @@ using TextureId = Id<Texture>;
 
 struct Parameter {
     std::string name;
-    Type type = Type::Scalar;                                   // Scalar, Vec2, Vec3, Vec4 or Color
+    Type type = Type::Scalar;  // Scalar, Vec2, Vec3, Vec4, Color or Projector
     std::optional<std::array<double, 2>> range = std::nullopt;  // of each component; the engine keeps to it
 };
 using ParameterId = Id<Parameter>;

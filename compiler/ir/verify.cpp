@@ -138,7 +138,8 @@ struct Verifier {
             fault(where, fmt::format("'{}' gives {}, the value is {}", row.name, info(row.result).name,
                                      info(v.type).name));
         }
-        if (row.result == Type::Any && component_count(v.type) == 0) {
+        const bool matrix = v.op == Op::parameter && v.type == Type::Projector;
+        if (row.result == Type::Any && component_count(v.type) == 0 && !matrix) {
             fault(where, fmt::format("'{}' cannot give {}", row.name, info(v.type).name));
         }
         if (v.layer.valid() && v.layer.index >= module.layers.size()) fault(where, "no such layer");

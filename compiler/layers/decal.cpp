@@ -21,6 +21,7 @@ enum ProjectorField : std::size_t {
     kPosition,
     kRotation,
     kSize,
+    kProjector,
     kHalfLength,
     kEdge,
     kAngleFade,
@@ -66,6 +67,7 @@ ValueId vector(LowerContext& context, const Vector& v, NumberPlace place) {
 
 // The projector's space: s runs along +x, t downward along +y, the image flies along +z (decal.glsl).
 ValueId projector(LowerContext& context, FieldValues values) {
+    if (values[kProjector].given) return context.builder().parameter(values[kProjector].parameter);
     const Vector &position = values[kPosition].number, &size = values[kSize].number;
     std::array<Vector, 3> axes = axes_of(values[kRotation].number);
     std::array<Vector, 4> columns{};
@@ -128,8 +130,9 @@ ValueId coverage(LowerContext& context, FieldValues values, ValueId decal) {
     if (values[kAngleFade].given) narrow(angle_fade(context, values));
     if (values[kCutout].given) {
         ValueId uv = builder.add(Op::decal_uv, {decal});
-        ValueId texel = context.texel({values[kCutout].index}, uv, "cutout");
-        narrow(builder.add_indexed(Op::channel, 0, {texel}));
+        ir::TextureId cutout{values[kCutout].index};
+        bool color = builder.module().textures[cutout.index].encoding == ir::TextureEncoding::color;
+        narrow(builder.add_indexed(Op::channel, color ? 3 : 0, {context.texel(cutout, uv, "cutout")}));
     }
     return out;
 }
@@ -156,14 +159,31 @@ ValueId lower_color(LowerContext& context, FieldValues values) {
     return builder.add(Op::rgb, {context.texel({values[kImage].index}, uv)});
 }
 
+// A matrix says where the projector lies: beside it nothing else may.
+template <std::size_t first>
+std::optional<FieldFault> check_placement(FieldValues values) {
+    if (!values[first + kProjector].given) return std::nullopt;
+    for (std::size_t field : {kPosition, kRotation, kSize}) {
+        if (values[first + field].given)
+            return FieldFault{first + field,
+                              "the matrix says where the projector lies, expected this without 'projector'"};
+    }
+    return std::nullopt;
+}
+
 template <std::size_t first>
 std::optional<FieldFault> check(FieldValues values) {
+    if (auto fault = check_placement<first>(values)) return fault;
     std::uint32_t shape = values[first + kShape].index;
     const FieldValue& angles = values[first + kAngleFade];
     if (values[first + kHalfLength].given && shape != kCapsule) {
         return FieldFault{
             first + kHalfLength,
             "only a capsule has a length, expected \"shape\": \"capsule\" beside 'half_length'"};
+    }
+    if (angles.given && values[first + kProjector].given) {
+        return FieldFault{first + kAngleFade,
+                          "a matrix may stretch angles, expected 'angle_fade' beside 'rotation'"};
     }
     if (angles.given && shape == kSphere) {
         return FieldFault{first + kAngleFade,
@@ -185,65 +205,76 @@ Field image(std::string_view doc, std::vector<ir::TextureEncoding> encodings) {
 }
 
 std::vector<Field> placement_fields() {
-    return {{.name = "shape",
-             .kind = FieldKind::choice,
-             .choices = {"box", "cone", "sphere", "capsule", "wedge"},
-             .doc = "what the projector reaches. box, capsule, wedge: the image flies in parallel; a cone "
-                    "throws it from its apex, a "
-                    "sphere from its centre onto the six faces of a cube"},
-            {.name = "space",
-             .kind = FieldKind::choice,
-             .choices = {"object", "world"},
-             .doc = "where the projector lies: it moves with the object, or stands in the world"},
-            {.name = "position",
-             .kind = FieldKind::vector,
-             .minimum = -1e6,
-             .maximum = 1e6,
-             .unit = "units of the space",
-             .doc = "the middle of the shape; of a cone its apex, of a wedge the middle of its edge"},
-            {.name = "rotation",
-             .kind = FieldKind::vector,
-             .minimum = -3600,
-             .maximum = 3600,
-             .unit = "degrees",
-             .doc = "about x, then its own y, then its own z; at 0, 0, 0 the image stands upright to +y and "
-                    "flies along -z"},
-            {.name = "size",
-             .kind = FieldKind::vector,
-             .fallback = 1,
-             .minimum = 1e-6,
-             .maximum = 1e6,
-             .unit = "units of the space",
-             .doc = "half the width, height and depth of a box; the radii of a sphere or capsule; of a cone "
-                    "or wedge half the width and "
-                    "height where it ends, and its length"}};
+    return {
+        {.name = "shape",
+         .kind = FieldKind::choice,
+         .choices = {"box", "cone", "sphere", "capsule", "wedge"},
+         .doc = "what the projector reaches. box, capsule, wedge: the image flies in parallel; a cone "
+                "throws it from its apex, a "
+                "sphere from its centre onto the six faces of a cube"},
+        {.name = "space",
+         .kind = FieldKind::choice,
+         .choices = {"object", "world"},
+         .doc = "where the projector lies: it moves with the object, or stands in the world"},
+        {.name = "position",
+         .kind = FieldKind::vector,
+         .minimum = -1e6,
+         .maximum = 1e6,
+         .unit = "units of the space",
+         .doc = "the middle of the shape; of a cone its apex, of a wedge the middle of its edge"},
+        {.name = "rotation",
+         .kind = FieldKind::vector,
+         .minimum = -3600,
+         .maximum = 3600,
+         .unit = "degrees",
+         .doc = "about x, then its own y, then its own z; at 0, 0, 0 the image stands upright to +y and "
+                "flies along -z"},
+        {.name = "size",
+         .kind = FieldKind::vector,
+         .fallback = 1,
+         .minimum = 1e-6,
+         .maximum = 1e6,
+         .unit = "units of the space",
+         .doc = "half the width, height and depth of a box; the radii of a sphere or capsule; of a cone "
+                "or wedge half the width and "
+                "height where it ends, and its length"},
+        {.name = "projector",
+         .kind = FieldKind::matrix,
+         .minimum = -1e12,
+         .maximum = 1e12,
+         .doc = "in place of position, rotation and size: the matrix from the space to the projector's, in "
+                "which the shape is of size 1, the image's right lies along +x, its lower side along +y, and "
+                "it flies along +z; its last row counts as 0, 0, 0, 1"}};
 }
 
 std::vector<Field> reach_fields() {
-    return {{.name = "half_length",
-             .kind = FieldKind::number,
-             .minimum = 0,
-             .maximum = 1e6,
-             .unit = "units of the space",
-             .doc = "of a capsule: half the length of its axis, along which the image flies"},
-            {.name = "edge",
-             .kind = FieldKind::number,
-             .fallback = 0.2,
-             .minimum = 0,
-             .maximum = 1,
-             .doc = "the outer share of the shape over which it fades; 0 ends sharply"},
-            {.name = "angle_fade",
-             .kind = FieldKind::range,
-             .minimum = 0,
-             .maximum = 180,
-             .unit = "degrees",
-             .doc = "full where the stage's normal is within the first angle of the way back to the "
-                    "projector, nothing from the second on; "
-                    "left out: all angles show"},
-            {.name = "cutout",
-             .kind = FieldKind::texture,
-             .encodings = {ir::TextureEncoding::mask},
-             .doc = "a picture thrown with the image: nothing is covered where its red is 0"}};
+    return {
+        {.name = "half_length",
+         .kind = FieldKind::number,
+         .minimum = 0,
+         .maximum = 1e6,
+         .unit = "units of the space",
+         .doc = "of a capsule: half the length of its axis, along which the image flies; beside "
+                "'projector' in units of the projector's space"},
+        {.name = "edge",
+         .kind = FieldKind::number,
+         .fallback = 0.2,
+         .minimum = 0,
+         .maximum = 1,
+         .doc = "the outer share of the shape over which it fades; 0 ends sharply"},
+        {.name = "angle_fade",
+         .kind = FieldKind::range,
+         .minimum = 0,
+         .maximum = 180,
+         .unit = "degrees",
+         .doc = "full where the stage's normal is within the first angle of the way back to the "
+                "projector, nothing from the second on; "
+                "left out: all angles show"},
+        {.name = "cutout",
+         .kind = FieldKind::texture,
+         .encodings = {ir::TextureEncoding::mask, ir::TextureEncoding::color},
+         .doc = "a picture thrown with the image: nothing is covered where it is 0, which is the red of a "
+                "mask and the alpha of a colour"}};
 }
 
 std::vector<Field> joined(std::initializer_list<std::vector<Field>> parts) {
@@ -268,6 +299,7 @@ NodeKind decal_color() {
             .doc = "a picture thrown by a projector, whatever its reach: mix it in by a decal_mask",
             .result = Type::Color,
             .fields = joined({{image("the picture", {ir::TextureEncoding::color})}, placement_fields()}),
+            .check = check_placement<kBehindImage>,
             .lower = lower_color};
 }
 

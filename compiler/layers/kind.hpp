@@ -23,6 +23,8 @@ enum class FieldKind {
     pair,        // a number (for both), two numbers, or "$parameter" of type float or vec2
     color,       // three numbers, "$parameter" of type color or vec3, "@node" or a node
     vector,      // three numbers
+    matrix,      // "$parameter" of type mat4
+    entry,       // the id of an earlier entry of bump
     direction,   // three numbers, not all 0; unit when checked
     range,       // two numbers
     file,        // the path of a GLSL file

@@ -113,15 +113,19 @@ void Checker::surface() {
 }
 
 std::string_view parameter_type_name(ParameterType type) {
-    constexpr std::string_view kNames[] = {"float", "vec2", "vec3", "vec4",
-                                           "color", "bool", "int",  "texture"};
+    constexpr std::string_view kNames[] = {"float", "vec2", "vec3", "vec4",   "color",
+                                           "bool",  "int",  "mat4", "texture"};
     return kNames[static_cast<std::size_t>(type)];
 }
 
 ir::Type ir_type(ParameterType type) {
-    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2,   ir::Type::Vec3,  ir::Type::Vec4,
-                                   ir::Type::Color,  ir::Type::Scalar, ir::Type::Scalar};
+    constexpr ir::Type kTypes[] = {ir::Type::Scalar, ir::Type::Vec2,   ir::Type::Vec3,   ir::Type::Vec4,
+                                   ir::Type::Color,  ir::Type::Scalar, ir::Type::Scalar, ir::Type::Projector};
     return kTypes[static_cast<std::size_t>(type)];
+}
+
+std::size_t number_count(ParameterType type) {
+    return type == ParameterType::matrix ? 16 : ir::component_count(ir_type(type));
 }
 
 std::optional<CheckedMaterial> check(const Material& material, Files& files, const Roots& roots,

@@ -28,8 +28,9 @@ std::string hint(std::string_view name, const std::vector<Decl>& decls, std::str
 std::span<const ParameterType> types_for(FieldKind kind) {
     using enum ParameterType;
     static constexpr ParameterType kNumber[] = {scalar, integer, boolean}, kPair[] = {scalar, vec2, integer},
-                                   kColor[] = {color, vec3};
+                                   kColor[] = {color, vec3}, kMatrix[] = {matrix};
     if (kind == FieldKind::pair) return kPair;
+    if (kind == FieldKind::matrix) return kMatrix;
     return kind == FieldKind::color ? std::span<const ParameterType>(kColor) : kNumber;
 }
 
@@ -81,7 +82,7 @@ void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range li
     } else if (decl.range && (outside((*decl.range)[0]) || outside((*decl.range)[1]))) {
         found = fmt::format("may be {} to {}", (*decl.range)[0], (*decl.range)[1]);
     } else {
-        std::size_t count = ir::component_count(ir_type(decl.type));
+        std::size_t count = number_count(decl.type);
         auto bad = std::find_if(decl.fallback.begin(),
                                 decl.fallback.begin() + static_cast<std::ptrdiff_t>(count), outside);
         if (bad == decl.fallback.begin() + static_cast<std::ptrdiff_t>(count)) return;

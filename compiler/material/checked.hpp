@@ -17,7 +17,7 @@ namespace sg::material {
 struct CheckedParameter {
     std::string name;
     ParameterType type = ParameterType::scalar;
-    std::array<double, 4> fallback{};
+    std::array<double, 16> fallback{};  // a matrix by its columns
     std::optional<std::array<double, 2>> range;
     std::string label;
     std::string unit;
@@ -98,6 +98,8 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
                                      Diags& diags);
 
 ir::Type ir_type(ParameterType type);  // of one that is no texture; true is 1
+// How many numbers it is.
+std::size_t number_count(ParameterType type);
 
 // Layers of the user's own GLSL: called, or replaced by the layers that they are equivalent to.
 enum class Custom { called, replaced };

@@ -27,13 +27,13 @@ struct Located {
     At at;
 };
 
-enum class ParameterType { scalar, vec2, vec3, vec4, color, boolean, integer, texture };
+enum class ParameterType { scalar, vec2, vec3, vec4, color, boolean, integer, matrix, texture };
 // As written: "float", "vec2", ...
 std::string_view parameter_type_name(ParameterType type);
 struct ParameterDecl {
     Located<std::string> name;
     ParameterType type = ParameterType::scalar;
-    std::array<double, 4> fallback{};
+    std::array<double, 16> fallback{};           // a matrix by its columns
     std::optional<std::array<double, 2>> range;  // of each component
     std::string label;
     std::string unit;

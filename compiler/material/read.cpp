@@ -31,20 +31,23 @@ void Reader::parameter_value(ObjectReader& reader, std::string_view key, Paramet
             break;
     }
     constexpr std::size_t kCounts[] = {1, 2, 3, 4, 3};
-    auto values = reader.numbers(key, kCounts[static_cast<std::size_t>(decl.type)], limits, false, "");
+    const bool matrix = decl.type == ParameterType::matrix;
+    auto values =
+        reader.numbers(key, matrix ? 16 : kCounts[static_cast<std::size_t>(decl.type)], limits, false, "");
     if (values) std::copy(values->begin(), values->end(), decl.fallback.begin());
 }
 
 void Reader::parameter(const json::Member& member, const std::string& pointer) {
     ObjectReader reader =
         object(member.value, pointer, "a parameter", {"type", "default", "range", "label", "unit"});
-    auto type =
-        reader.choice("type", {"float", "vec2", "vec3", "vec4", "color", "bool", "int", "texture"}, true);
+    auto type = reader.choice(
+        "type", {"float", "vec2", "vec3", "vec4", "color", "bool", "int", "mat4", "texture"}, true);
     ParameterDecl decl{.name = {member.key, {member.key_span, pointer}},
                        .type = static_cast<ParameterType>(type.value_or(0))};
     decl.label = reader.string("label").value_or("");
     decl.unit = reader.string("unit").value_or("");
-    bool ranged = decl.type != ParameterType::boolean && decl.type != ParameterType::texture;
+    bool ranged = decl.type != ParameterType::boolean && decl.type != ParameterType::matrix &&
+                  decl.type != ParameterType::texture;
     if (auto range = reader.numbers("range", 2, kAnyNumber, false, "")) {
         decl.range = {(*range)[0], (*range)[1]};
         At place = reader.at("range", *reader.get("range"));

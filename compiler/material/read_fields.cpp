@@ -93,6 +93,16 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
             return take(expression(reader, row.name, 3, range, false, true), entry.expression);
         case FieldKind::range:
             return take(reader.numbers(row.name, 2, range, false, ""), entry.expression.numbers);
+        case FieldKind::matrix:
+            if (value->kind != Kind::string || !value->string.starts_with('$')) {
+                reader.error(Code::wrong_type, entry.at,
+                             fmt::format("expected a \"$parameter\" of type 'mat4' for '{}', found {}",
+                                         row.name, json::kind_name(value->kind)));
+                return std::nullopt;
+            }
+            return take(expression(reader, row.name, 16, range, false, false), entry.expression);
+        case FieldKind::entry:
+            return take(reader.name(row.name), entry.word);
         case FieldKind::vector:
             return take(reader.numbers(row.name, 3, range, false, ""), entry.expression.numbers);
         case FieldKind::file:

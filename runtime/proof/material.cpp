@@ -52,7 +52,7 @@ void bind_textures(const runtime::Artefact& artefact, const runtime::TextureSet&
 
 bool bind_parameters(const runtime::Artefact& artefact, std::span<const std::byte> block, Material& out) {
     for (const ir::Parameter& parameter : out.module.parameters) {
-        std::array<double, 4> number{};
+        std::array<double, 16> number{};
         if (artefact.parameters) {
             for (const runtime::Parameter& p : artefact.parameters->parameters) {
                 if (p.name != parameter.name) continue;

@@ -61,16 +61,19 @@ Compiled compile(const std::string& sample) {
 constexpr std::size_t kInputs = 64, kResults = 8, kParameters = 32;
 using Inputs = float[kInputs][4];
 using Results = float[kResults][4];
-using Parameters = float[kParameters][4];
+using Parameters = float[kParameters][16];  // a matrix by its columns
 using Call = void (*)(const SgBindings&, const Inputs&, const Parameters&, Results&);
 
 // The text and a function of C that calls it: inputs, parameters and results by their place in the manifest.
 std::string source_of(const Compiled& compiled, const std::string& text) {
     const Json& function = compiled.function;
+    if (function.at("inputs").size() > kInputs || function.at("results").size() > kResults ||
+        (function.contains("parameters") && function["parameters"]["members"].size() > kParameters))
+        throw std::runtime_error("a function with more numbers than the tests can hand over");
     std::string out = metal_source({text}, false) + "using namespace sg_text_0;\n";
     out += fmt::format(
         "extern \"C\" void sg_call(const SgBindings& bindings, const float (&inputs)[{}][4], const float "
-        "(&parameters)[{}][4], float (&results)[{}][4]) {{\n    SgMaterialInputs given = {{}};\n",
+        "(&parameters)[{}][16], float (&results)[{}][4]) {{\n    SgMaterialInputs given = {{}};\n",
         kInputs, kParameters, kResults);
     std::size_t place = 0;
     for (const auto& input : function.at("inputs"))

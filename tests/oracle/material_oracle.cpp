@@ -181,7 +181,7 @@ Material::Material(const std::string& sample, Levels levels) {
     }
     give_each_read_its_own_texture();
     for (const ir::Parameter& parameter : module.parameters) {
-        std::array<double, 4> number{};
+        std::array<double, 16> number{};
         for (const runtime::Parameter& p : made.artefact.parameters->parameters) {
             if (p.name == parameter.name) std::copy(p.initial.begin(), p.initial.end(), number.begin());
         }

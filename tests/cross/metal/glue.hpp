@@ -4,12 +4,17 @@
 
 #include "driver.hpp"
 
-template <typename V>
-void sg_load(V& out, const float (&from)[4]) {
+template <typename V, int kCount>
+void sg_load(V& out, const float (&from)[kCount]) {
+    static_assert(SgSize<V>::value <= kCount);
     for (int i = 0; i < SgSize<V>::value; ++i) out[i] = from[i];
 }
-inline void sg_load(float& out, const float (&from)[4]) {
+template <int kCount>
+void sg_load(float& out, const float (&from)[kCount]) {
     out = from[0];
+}
+inline void sg_load(metal::float4x4& out, const float (&from)[16]) {
+    for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = from[i];
 }
 template <typename V>
 void sg_store(const V& value, float (&to)[4]) {

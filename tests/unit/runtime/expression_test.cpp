@@ -106,5 +106,48 @@ TEST(Expression, WhatIsRefused) {
         "'/parameter_block/steps/0' is '#0', neither '$' with a parameter nor '#' with an earlier step");
 }
 
+// The sample's block with a matrix behind its two parameters, and a derived number behind that.
+std::string with_matrix(const std::string& expression) {
+    std::string text = test::sample_manifest();
+    auto replace = [&](const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos);
+        text.replace(at, from.size(), to);
+    };
+    replace("\"size\": 16, \"parameters\": [",
+            fmt::format(R"("size": 96, "derived": [{{"name": "d", "type": "float", "offset": 80, )"
+                        R"("default": [0], "expression": {}}}], "parameters": [)"
+                        R"({{"name": "place", "type": "mat4", "offset": 16, )"
+                        R"("default": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]}}, )",
+                        expression));
+    return text;
+}
+
+TEST(Expression, AMatrixIsSetAndNotComputedWith) {
+    Diags diags;
+    auto artefact = read_manifest(with_matrix(R"(["multiply", "$gain", 2])"), "m.json", diags);
+    ASSERT_TRUE(artefact) << render(diags);
+    auto floats = [&](const std::vector<std::string>& settings) {
+        auto block = pack_parameters(*artefact, settings, diags);
+        std::vector<float> out(block ? 24 : 0);
+        if (block) std::memcpy(out.data(), block->data(), out.size() * sizeof(float));
+        return out;
+    };
+    EXPECT_EQ(floats({"gain=3"}),
+              (Floats{1, 1, 1, 3, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 6, 0, 0, 0}));
+    EXPECT_EQ(floats({"place=0,1,0,0,-1,0,0,0,0,0,1,0,0.5,2,-3,1"}),
+              (Floats{1, 1, 1, 0.5f, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.5f, 2, -3, 1, 1, 0, 0, 0}));
+    EXPECT_FALSE(diags.has_errors());
+    EXPECT_TRUE(floats({"place=1,0,0,0"}).empty());
+    EXPECT_EQ(diags.all().back().message,
+              "parameter 'place' is a mat4: expected 16 numbers separated by commas, not '1,0,0,0'");
+
+    Diags refused;
+    EXPECT_FALSE(read_manifest(with_matrix(R"(["channel", "$place", 0])"), "m.json", refused));
+    EXPECT_EQ(refused.all()[0].message,
+              "'/parameter_block/derived/0/expression/1' is '$place', a matrix, with "
+              "which no expression computes");
+}
+
 }  // namespace
 }  // namespace sg::runtime
