@@ -1,12 +1,20 @@
-// height_map: bumps straight from heights, as displacement: tiling and object size count.
+// height_map: bumps straight from heights, as displacement (tiling and object size count) or as slopes.
 #include "layers/kind.hpp"
 #include "layers/lower_context.hpp"
 
 namespace sg::layers {
 namespace {
 
-enum FieldIndex : std::size_t { kTexture, kUv, kTiling, kMethod };
+enum FieldIndex : std::size_t { kTexture, kUv, kTiling, kMethod, kScale };
 enum MethodChoice : std::uint32_t { kForward, kHq, kScreen };
+enum ScaleChoice : std::uint32_t { kScaleDependent, kScaleSlope };
+
+std::optional<FieldFault> check(FieldValues values) {
+    if (values[kMethod].index != kScreen || values[kScale].index != kScaleSlope) return std::nullopt;
+    return FieldFault{kScale,
+                      "'screen' measures heights against positions, expected \"scale\": \"displacement\" "
+                      "beside it"};
+}
 
 ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
@@ -17,6 +25,9 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
         return builder.add_indexed(ir::Op::surfgrad_from_three_taps, texture, {frame, uv});
     ir::Op method = values[kMethod].index == kHq ? ir::Op::deriv_from_height_hq : ir::Op::deriv_from_height;
     ir::ValueId deriv = builder.add_indexed(method, texture, {uv}, "deriv");
+    if (values[kScale].index == kScaleSlope)
+        return builder.add(ir::Op::surfgrad_from_tbn,
+                           {deriv, builder.add(ir::Op::basis_uv, {frame, uv}, "basis")});
     return builder.add_indexed(ir::Op::surfgrad_from_height, texture, {frame, uv, deriv});
 }
 
@@ -25,7 +36,7 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
 const LayerKind& height_map() {
     static const LayerKind kRow{
         .name = "height_map",
-        .doc = "a height map on a uv set; strength is the world length of the height 1 (red channel)",
+        .doc = "a height map on a uv set (red channel)",
         .fields =
             {{.name = "texture",
               .kind = FieldKind::texture,
@@ -47,7 +58,14 @@ const LayerKind& height_map() {
               .fallback = kHq,
               .choices = {"forward", "hq", "screen"},
               .doc = "forward difference over at least a texel; smooth under magnification (Eq 20 and 21); "
-                     "difference to the neighbouring pixels (Listing 7)"}},
+                     "difference to the neighbouring pixels (Listing 7)"},
+             {.name = "scale",
+              .kind = FieldKind::choice,
+              .fallback = kScaleDependent,
+              .choices = {"displacement", "slope"},
+              .doc = "displacement: strength is the world length of the height 1, and tiling and object size "
+                     "count (Eq 7); slope: strength is the height 1 in texels, whatever the tiling"}},
+        .check = check,
         .lower = lower,
     };
     return kRow;
