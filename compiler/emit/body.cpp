@@ -29,6 +29,7 @@ bool is_trivial(const Value& value) {
         case ir::Op::color:
         case ir::Op::zero_surfgrad:
         case ir::Op::gradient_from_world:
+        case ir::Op::direction_of:
         case ir::Op::swizzle:
         case ir::Op::channel_of:
         case ir::Op::rgb_of:

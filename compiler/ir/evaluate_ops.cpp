@@ -211,6 +211,7 @@ Rows lookups_rows() {
             }},
         Row{Op::decode_object_normal, decode_xyz},
         Row{Op::decode_world_normal, decode_xyz},
+        Row{Op::direction_of, [](const Call&, dvec3 n) { return n; }},
         Row{Op::normal_from_object,
             [](const Call& c, dvec3 v) { return ref::normal_from_object(c.pixel.normal_from_object, v); }},
         Row{Op::noise_perlin,

@@ -92,7 +92,8 @@ struct FieldValue {
         number{};  // number, pair, color, vector, direction, range; valid when neither of the next two is
     ir::ParameterId parameter;
     NodeId node;
-    std::uint32_t index = 0;  // texture: into the module's textures; choice; integer; file: into its shaders
+    std::uint32_t index =
+        0;  // texture: into the module's textures; choice; integer; file: into its shaders; entry
     Coordinate uv;
     std::string word;  // identifier
     std::vector<Argument> arguments;

@@ -12,12 +12,13 @@ const LayerKind& planar();
 const LayerKind& noise();
 const LayerKind& decal();
 const LayerKind& normal_blend();
+const LayerKind& earlier_normal();
 const LayerKind& custom();
 
 std::span<const LayerKind* const> all_kinds() {
     static const LayerKind* const kKinds[] = {
-        &normal_map(), &derivative_map(), &height_map(), &object_normal_map(), &triplanar(),
-        &planar(),     &noise(),          &decal(),      &normal_blend(),      &custom(),
+        &normal_map(), &derivative_map(), &height_map(),   &object_normal_map(), &triplanar(), &planar(),
+        &noise(),      &decal(),          &normal_blend(), &earlier_normal(),    &custom(),
     };
     return kKinds;
 }

@@ -49,6 +49,11 @@ void LowerContext::begin_stage(ValueId resolved_normal) {
     forget_stage();
 }
 
+void LowerContext::begin_entry(ValueId resolved_normal) {
+    entry_normals_.push_back(resolved_normal);
+    begin_stage(resolved_normal);
+}
+
 // Nodes may look at the normal: those of the next stage see the new one.
 void LowerContext::forget_stage() {
     node_values_.assign(nodes_.size(), {});
@@ -88,6 +93,11 @@ ValueId LowerContext::normal() {
         return sides_ == Sides::mirror ? builder_.add(Op::mirror_normal, {base, facing()}, "base_normal")
                                        : base;
     });
+}
+
+ValueId LowerContext::surface_normal() {
+    std::size_t first = moved() ? moved_in_ - 1 : 0;
+    return first + 1 == normals_.size() ? normal() : normals_[first];
 }
 
 ValueId LowerContext::first_frame() {

@@ -70,6 +70,8 @@ public:
     void set_layer(ir::LayerId layer);
     // The next stage starts from a resolved normal: new frame, new tangents.
     void begin_stage(ir::ValueId resolved_normal);
+    // The same where an entry of bump ended.
+    void begin_entry(ir::ValueId resolved_normal);
     // What follows belongs to the surface, not to a stage: behind parallax its coordinates keep the level of
     // detail of the mesh.
     void begin_surface();
@@ -86,6 +88,9 @@ public:
     ir::ValueId normal();
     ir::ValueId frame();
     ir::ValueId basis_vertex();
+    // That an earlier entry of bump left; that it began with.
+    [[nodiscard]] ir::ValueId entry_normal(std::uint32_t entry) const { return entry_normals_[entry]; }
+    ir::ValueId surface_normal();
     // Of the surface that is seen.
     ir::ValueId position();
     ir::ValueId uv(const Coordinate& coordinate);
@@ -188,6 +193,7 @@ private:
     std::array<ir::ValueId, 2> moved_volumes_;
     std::array<ir::ValueId, 2> last_volumes_;  // of the last stage that asked for them
     std::map<std::uint32_t, ir::ValueId> detail_uvs_;
+    std::vector<ir::ValueId> entry_normals_;
     // By stage; the last is the current one.
     std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};
 };

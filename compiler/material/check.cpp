@@ -143,6 +143,7 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     checker.nodes();
     checker.parallax();
     for (const StageDecl& stage : material.bump) {
+        checker.current_entry = checker.out.stages.size();
         checker.out.stages.emplace_back();
         for (const LayerDecl& decl : stage.layers) checker.out.stages.back().push_back(checker.layer(decl));
     }

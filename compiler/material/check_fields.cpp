@@ -130,6 +130,27 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
     }
 }
 
+std::uint32_t Checker::earlier_entry(const std::string& id, const At& at) {
+    std::vector<std::string_view> earlier;
+    for (std::size_t i = 0; i < in.bump.size(); ++i) {
+        const Located<std::string>& found = in.bump[i].id;
+        if (i < current_entry && found.value == id) return static_cast<std::uint32_t>(i);
+        if (i < current_entry && !found.value.empty()) earlier.push_back(found.value);
+        if (i >= current_entry && found.value == id) {
+            error(Code::unknown_entry, at,
+                  fmt::format("entry '{}' of 'bump' does not stand before this one", printable(id)),
+                  {note("it is here", found.at)});
+            return 0;
+        }
+    }
+    std::string near = did_you_mean(id, earlier);
+    if (near.empty())
+        near = earlier.empty() ? ", no entry before this one has an id"
+                               : fmt::format(", expected {}", one_of(earlier));
+    error(Code::unknown_entry, at, fmt::format("unknown entry '{}' of 'bump'{}", printable(id), near));
+    return 0;
+}
+
 std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const Field> fields,
                                         std::span<const FieldEntry> entries) {
     std::vector<FieldValue> out_values;
@@ -146,6 +167,10 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
         value.index = entry.index;
         value.uv = entry.uv;
         if (row.kind == FieldKind::identifier) value.word = entry.word;
+        if (row.kind == FieldKind::entry) {
+            value.index = earlier_entry(entry.word, entry.at);
+            continue;
+        }
         if (row.kind != FieldKind::texture) {
             expression(entry.expression, row.kind, {row.minimum, row.maximum}, value);
             continue;

@@ -37,6 +37,7 @@ struct Checker {
     void surface();
     void parameters();
     std::size_t layer_count = 0;
+    std::size_t current_entry = 0;  // of bump
 
     // check_fields.cpp
     std::optional<std::size_t> find_texture(const std::string& name, const At& at);
@@ -48,6 +49,8 @@ struct Checker {
                     layers::FieldValue& value);
     // What a parameter is by default, and may be by its range, must be fit for the use.
     void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
+    // The number of an entry of bump that stands before the current one.
+    std::uint32_t earlier_entry(const std::string& id, const At& at);
     std::vector<layers::FieldValue> values(std::string_view owner, std::span<const layers::Field> fields,
                                            std::span<const FieldEntry> entries);
     template <class Kind>

@@ -24,7 +24,7 @@ public:
         ValueId gradient, normal;
         if (material_.parallax) parallax(*material_.parallax);
         for (std::size_t i = 0; i < material_.stages.size(); ++i) {
-            if (i > 0) context_.begin_stage(normal);
+            if (i > 0) context_.begin_entry(normal);
             ValueId g = sum(material_.stages[i]);
             normal = builder_.add(Op::resolve, {context_.normal(), g}, "normal");
             if (i == 0) gradient = g;

@@ -96,7 +96,7 @@ struct FieldEntry {
     std::size_t field = 0;  // into the kind's fields
     At at;
     Expression expression;    // number, pair, color, direction, range
-    std::string word;         // texture, file, identifier
+    std::string word;         // texture, file, identifier, entry
     std::uint32_t index = 0;  // choice, integer
     layers::Coordinate uv;
     std::vector<ArgumentDecl> arguments;

@@ -14,6 +14,7 @@ using ref::dvec2;
 using ref::dvec3;
 
 constexpr const char* kOwnFunction = "it is a function of its own, whose height is not known";
+constexpr const char* kEarlierNormal = "it leads back to another normal, which is no height of its own";
 constexpr const char* kTwoNormals = "it blends two normals, which is no sum of heights";
 
 const std::vector<HeightRow>& rows() {
@@ -26,6 +27,7 @@ const std::vector<HeightRow>& rows() {
         {Op::decode_world_normal, HeightRule::pass},
         {Op::decode_derivative, HeightRule::pass},
         {Op::normal_from_object, HeightRule::pass},
+        {Op::direction_of, HeightRule::none, 0, kEarlierNormal},
         {Op::deriv_from_height, HeightRule::texel},
         {Op::deriv_from_height_hq, HeightRule::texel},
         {Op::deriv_from_normal_xyz, HeightRule::pass},

@@ -42,6 +42,7 @@ constexpr Verdict kVerdicts[] = {
     {Code::node_type, kDeclared},
     {Code::extends_cycle, kGraph},
     {Code::parallax_place, kTwoParts},
+    {Code::unknown_entry, kDeclared},
     {Code::file_missing, kFiles},
     {Code::path_escapes, kFiles},
     {Code::file_unreadable, kFiles},
