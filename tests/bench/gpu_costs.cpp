@@ -168,7 +168,7 @@ int run(bool samples) {
         return 0;
     }
     if (samples) print_samples(library);
-    compare("a", library);
+    for (const char* letter : {"a", "b", "c"}) compare(letter, library);
     return 0;
 }
 

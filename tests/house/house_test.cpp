@@ -145,6 +145,7 @@ TEST(House, FunctionsAreShort) {
     std::size_t functions = 0;
     for (const fs::path& path :
          files({"compiler", "runtime", "shader_lib", "materials", "tests"}, {".cpp", ".hpp", ".glsl"})) {
+        if (below_root(path).starts_with("tests/golden/")) continue;  // as long as the material
         std::vector<std::string> text = lines(path);
         for (std::size_t i = 0; i < text.size(); ++i) {
             if (!opens_function(text[i])) continue;

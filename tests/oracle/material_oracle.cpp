@@ -247,6 +247,10 @@ std::vector<PixelInputs> draw_inputs(const std::string& sample, Seen seen) {
             }
             pixel.camera = camera;
             pixel.object_origin = -camera.position;
+            if (pictures.contains("vertex-color")) {
+                const asset::Image& color = pictures.at("vertex-color").values;
+                for (int c = 0; c < 4; ++c) pixel.vertex_color[c] = color.at(x, y, c);
+            }
             if (pictures.contains("tangent")) vertex_vectors(pixel, n, vec3("tangent"), vec3("bitangent"));
             for (std::size_t set = 0; set < pixel.uvs.size(); ++set) {
                 const std::string name = "uv" + std::to_string(set);

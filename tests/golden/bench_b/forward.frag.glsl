@@ -1,0 +1,98 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// five layers, all parameters: fragment shader of the entry point 'forward', made by surfgradc.
+
+#include "stage/forward.glsl"
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/combine.glsl"
+#include "surfgrad/decal.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/noise.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    vec3 p_tint;
+    float p_opacity;
+    vec2 p_tiling;
+    vec2 p_detail_tiling;
+    float p_pebble_tiling;
+    float p_frequency;
+    float p_power;
+    mat4 p_projector;
+    float p_weave_strength;
+    float p_detail_strength;
+    float p_pebble_strength;
+    float p_dent_strength;
+    float p_decal_strength;
+    float p_roughness;
+    float p_metallic;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_weave;
+layout(set = 1, binding = 2) uniform texture2D t_scratch;
+layout(set = 1, binding = 3) uniform texture2D t_pebble;
+layout(set = 1, binding = 4) uniform texture2D t_ramp;
+layout(set = 1, binding = 5) uniform texture2D t_moss;
+layout(set = 1, binding = 6) uniform texture2D t_stone;
+layout(set = 1, binding = 7) uniform texture2D t_sign;
+layout(set = 1, binding = 8) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 2) in vec4 sg_in_tangent;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 5) in vec2 sg_in_uv1;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 13) in vec3 sg_in_world_position;
+layout(location = 0) out vec4 sg_out_color;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // weave: normal_map
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_weave_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_in_normal, sg_in_tangent));
+
+    vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+
+    // detail: normal_map
+    vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
+    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
+
+    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+
+    // pebbles: triplanar
+    SgTriplanarUv m_pebbles_planes = sg_volume_triplanar_uv(sg_volume_scale(m_world, sg_material.p_pebble_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec2 m_pebbles_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_pebbles_planes.x).xyz, 127.5));
+    vec2 m_pebbles_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_pebbles_planes.y).xyz, 127.5));
+    vec2 m_pebbles_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_pebbles_planes.z).xyz, 127.5));
+    vec3 m_pebbles_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_base_normal, 3.0), m_pebbles_deriv, m_pebbles_deriv_2, m_pebbles_deriv_3, SG_LEFT_HAND, SG_LOWER_LEFT);
+
+    // dents: noise
+    SgNoise m_dents_noise = sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), sg_material.p_frequency), 4);
+    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(sg_material.p_frequency * sg_noise_power(m_dents_noise, sg_material.p_power).gradient);
+
+    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + sg_material.p_dent_strength * m_dents_gradient_from_object;
+
+    // sign: decal
+    SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
+    vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
+    vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
+    float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
+    vec3 m_sign_mask_volgrad = sg_combine_mask(sg_material.p_decal_strength * sg_decal_gradient(m_sign_deriv, m_sign_decal), m_sign_coverage);
+
+    vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + m_sign_mask_volgrad);
+    vec4 m_texel = sg_sample(t_stone, s_0, m_uv0);
+    SgSurface sg_surface = SgSurface(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_add_surfgrad));
+    sg_out_color = vec4(sg_radiance, sg_material.p_opacity * m_texel.w);
+}

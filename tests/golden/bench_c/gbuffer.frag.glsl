@@ -1,0 +1,161 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// parallax and three resolves, all parameters: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "stage/moved.glsl"
+#include "stage/object.glsl"
+#include "stage/view.glsl"
+#include "surfgrad/combine.glsl"
+#include "surfgrad/decal.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_height.glsl"
+#include "surfgrad/from_normal.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/height_map.glsl"
+#include "surfgrad/noise.glsl"
+#include "surfgrad/parallax.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/uv.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    vec3 p_tint;
+    float p_opacity;
+    vec2 p_tiling;
+    vec2 p_detail_tiling;
+    vec2 p_rib_tiling;
+    float p_weave_tiling;
+    float p_exponent;
+    float p_frequency;
+    float p_power;
+    mat4 p_first_projector;
+    mat4 p_second_projector;
+    float p_depth;
+    float p_stone_strength;
+    float p_detail_strength;
+    float p_object_strength;
+    float p_rib_strength;
+    float p_weave_strength;
+    float p_dent_strength;
+    float p_first_strength;
+    float p_second_strength;
+    float p_roughness;
+    float p_metallic;
+    float p_wetness;
+    float d_parallax_multiply;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_height;
+layout(set = 1, binding = 2) uniform texture2D t_pebble;
+layout(set = 1, binding = 3) uniform texture2D t_scratch;
+layout(set = 1, binding = 4) uniform texture2D t_moss;
+layout(set = 1, binding = 5) uniform texture2D t_sphere;
+layout(set = 1, binding = 6) uniform texture2D t_rib;
+layout(set = 1, binding = 7) uniform texture2D t_weave;
+layout(set = 1, binding = 8) uniform texture2D t_ramp;
+layout(set = 1, binding = 9) uniform texture2D t_brick;
+layout(set = 1, binding = 10) uniform texture2D t_stone;
+layout(set = 1, binding = 11) uniform texture2D t_sign;
+layout(set = 1, binding = 12) uniform texture2D t_plaster;
+layout(set = 1, binding = 13) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 3) in vec4 sg_in_color;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 5) in vec2 sg_in_uv1;
+layout(location = 6) in vec2 sg_in_uv2;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgUv m_uv2 = sg_stage_uv(sg_in_uv2);
+
+    // parallax: occlusion
+    SgUv m_parallax_uv = sg_uv_scale(m_uv0, sg_material.p_tiling);
+    vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(sg_material.p_depth, sg_material.d_parallax_multiply), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
+    vec3 m_parallax_position = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height);
+
+    SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
+
+    // stones: normal_map
+    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5)));
+    vec3 m_stones = sg_material.p_stone_strength * m_stones_surfgrad_from_height;
+
+    SgUv m_moved_uv1 = sg_parallax_uv(m_uv1, m_parallax_pixels.x * m_uv1.dx + m_parallax_pixels.y * m_uv1.dy);
+
+    // detail: normal_map
+    vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_moved_uv1, sg_material.p_detail_tiling)).xy, 127.5);
+    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_moved_uv1));
+
+    // sphere: object_normal_map
+    vec4 m_sphere_texel = sg_sample(t_sphere, s_0, sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy));
+    vec3 m_sphere_surfgrad_from_normal = sg_surfgrad_from_normal(m_base_normal, sg_stage_normal_from_object(sg_decode_signed(m_sphere_texel.xyz, 127.5)));
+    vec3 m_sphere = sg_material.p_object_strength * m_sphere_surfgrad_from_normal;
+
+    SgUv m_moved_uv2 = sg_parallax_uv(m_uv2, m_parallax_pixels.x * m_uv2.dx + m_parallax_pixels.y * m_uv2.dy);
+
+    // ribs: height_map
+    vec2 m_ribs_scale_deriv = sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_moved_uv2, sg_material.p_rib_tiling));
+    vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_moved_uv2));
+
+    vec3 m_add_surfgrad = m_stones + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_seen_uv).x) + m_sphere + sg_combine_mask(m_ribs, sg_in_color.x);
+    vec3 m_normal = sg_resolve(m_base_normal, m_add_surfgrad);
+    SgFrame m_frame_2 = sg_stage_frame_rebuilt(m_parallax_position, m_normal, 1.0);
+
+    // weave: triplanar
+    SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_world_volume(m_frame_2), sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5));
+    vec2 m_weave_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5));
+    vec2 m_weave_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5));
+    vec3 m_weave_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, sg_material.p_exponent), m_weave_deriv, m_weave_deriv_2, m_weave_deriv_3, SG_LEFT_HAND, SG_LOWER_LEFT);
+
+    // dents: noise
+    SgNoise m_dents_noise = sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_frame_2), sg_material.p_frequency), 6);
+    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(sg_material.p_frequency * sg_noise_power(m_dents_noise, sg_material.p_power).gradient);
+
+    vec3 m_add_volgrad = sg_combine_mask(sg_material.p_weave_strength * m_weave_gradient, sg_in_color.y) + sg_material.p_dent_strength * m_dents_gradient_from_object;
+    vec3 m_normal_2 = sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad));
+    SgFrame m_frame_3 = sg_stage_frame_rebuilt(m_parallax_position, m_normal_2, 1.0);
+    SgVolume m_world = sg_stage_world_volume(m_frame_3);
+
+    // sign: decal
+    SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
+    vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
+    vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
+    float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
+    vec3 m_sign_mask_volgrad = sg_combine_mask(sg_material.p_first_strength * sg_decal_gradient(m_sign_deriv, m_sign_decal), m_sign_coverage);
+
+    // plaster: decal
+    SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_world.p, m_world.dx, m_world.dy);
+    vec2 m_plaster_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5));
+    vec4 m_plaster_cutout = sg_sample(t_plaster, s_0, m_plaster_decal.uv);
+    float m_plaster_coverage = sg_decal_falloff_box(m_plaster_decal.local, 0.25) * m_plaster_cutout.w;
+    vec3 m_plaster_mask_volgrad = sg_combine_mask(sg_material.p_second_strength * sg_decal_gradient(m_plaster_deriv, m_plaster_decal), m_plaster_coverage);
+
+    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_surfgrad_from_volume(m_normal_2, m_sign_mask_volgrad + m_plaster_mask_volgrad));
+
+    // film: earlier_normal
+    vec3 m_film = sg_surfgrad_from_normal(m_normal_3, m_normal);
+
+    float m_wet = sg_material.p_wetness * sg_in_color.z;
+    vec4 m_texel = sg_sample(t_stone, s_0, m_seen_uv);
+    vec3 m_marked = mix(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb, m_plaster_coverage);
+    float m_mix = mix(mix(mix(sg_material.p_roughness, 0.4, m_sign_coverage), 0.4, m_plaster_coverage), 0.1, m_wet);
+    sg_out_base_color = vec4(m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_opacity * m_texel.w);
+    sg_out_normal = vec4(sg_resolve(m_normal_3, sg_combine_mask(m_film, m_wet)), m_mix);
+    sg_out_surface = vec4(sg_material.p_metallic, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}
