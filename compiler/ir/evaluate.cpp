@@ -121,10 +121,10 @@ Evaluator::Evaluator(const Module& module, Bindings bindings)
     values_.reserve(module.values.size());
 }
 
-const std::vector<Datum>& Evaluator::run(const PixelInputs& pixel) {
-    values_.clear();
+const std::vector<Datum>& Evaluator::run(const PixelInputs& pixel, std::span<const Datum> known) {
+    values_.assign(known.begin(), known.end());
     const std::vector<Datum> derived = derived_values(module_, bindings_);
-    for (const Value& value : module_.values) {
+    for (const Value& value : std::span(module_.values).subspan(known.size())) {
         values_.push_back(evaluate_row(value.op)->run(Call{value, pixel, bindings_, values_, derived}));
     }
     return values_;

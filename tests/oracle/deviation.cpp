@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "tests/oracle/material_oracle.hpp"
@@ -53,7 +54,13 @@ public:
           module_(module),
           pixel_(pixel),
           evaluator_(module, material.bindings),
-          normal_(normal(pixel)) {
+          values_(evaluator_.run(pixel)),
+          normal_(output()) {
+        first_reads_.assign(material.textures.size() + 1, module.values.size());
+        for (std::size_t i = module.values.size(); i-- > 0;) {
+            if (ir::info(module.values[i].op).attribute != ir::Attribute::Texture) continue;
+            first_reads_[module.values[i].index] = first_reads_.back() = i;
+        }
         for (std::size_t i = 0; i < module.values.size(); ++i) {
             const ir::Type type = module.values[i].type;
             if (type != ir::Type::Deriv && type != ir::Type::SurfGrad && type != ir::Type::VolGrad) continue;
@@ -121,13 +128,18 @@ public:
     }
 
 private:
-    dvec3 normal(const PixelInputs& pixel) {
-        values_ = evaluator_.run(pixel);
-        return std::get<dvec3>(evaluator_.output(ir::Output::normal));
-    }
+    [[nodiscard]] dvec3 output() const { return std::get<dvec3>(evaluator_.output(ir::Output::normal)); }
 
-    double turned() { return turned(pixel_); }
-    double turned(const PixelInputs& pixel) { return glm::distance(normal(pixel), normal_); }
+    double turned(const PixelInputs& pixel) {
+        evaluator_.run(pixel);
+        return glm::distance(output(), normal_);
+    }
+    // By what was done to a texture, or, behind the last of them, to all: what is computed before the first
+    // read stays.
+    double turned_by(std::size_t texture) {
+        evaluator_.run(pixel_, std::span(values_).first(first_reads_[texture]));
+        return glm::distance(output(), normal_);
+    }
 
     // The sum over the first N components of an input, each moved by `share` of the vector's length or of
     // `least`.
@@ -190,7 +202,7 @@ private:
             raised.base = before.texels;
             raised.by[c] = kTexels;
             sampled.texels = &raised;
-            sum += turned();
+            sum += turned_by(i);
             sampled = before;
         }
         return sum;
@@ -209,7 +221,7 @@ private:
                 for (std::size_t k = 0; k < all.size(); ++k) {
                     if (i == all.size() || i == k) all[k].lod_bias = -kLod * part;
                 }
-                level = std::max(level, turned());
+                level = std::max(level, turned_by(i));
             }
             all = before;
             (i < all.size() ? alone : together) += level;
@@ -221,8 +233,9 @@ private:
     const ir::Module& module_;
     const PixelInputs& pixel_;
     ir::Evaluator evaluator_;
-    std::vector<ir::Datum> values_;
+    const std::vector<ir::Datum> values_;
     dvec3 normal_;
+    std::vector<std::size_t> first_reads_;  // of each texture, and of all
     double largest_ = 1.0;
 };
 
