@@ -9,7 +9,7 @@
 #include "import/gltf_import.hpp"
 #include "runtime/mesh/shapes.hpp"
 #include "runtime/proof/angles.hpp"
-#include "tests/render/workshop.hpp"
+#include "tests/proof/shared_data.hpp"
 
 namespace sg::proof {
 namespace {
@@ -19,30 +19,6 @@ using glm::dvec3;
 
 constexpr double kTau = 6.283185307179586;
 constexpr std::uint32_t kPixels = 160;
-const std::string kData = SG_SOURCE_DIR "/../shared/data/";
-
-bool here(const std::string& file) {
-    RealFiles files;
-    return files.exists(kData + file);
-}
-std::string bytes_of(const std::string& file) {
-    RealFiles files;
-    return files.read(kData + file).bytes;
-}
-#define SG_NEEDS(file) \
-    if (!here(file)) GTEST_SKIP() << "the shared test data is not here: " << kData << (file)
-
-// A material of one layer with one picture.
-truth::Made one_layer(const std::string& file, const std::string& texture, const std::string& layer,
-                      const std::string& more = "") {
-    truth::Recipe recipe;
-    recipe.json = R"({"version": 1, "textures": {"map": {"file": "map.)" + file.substr(file.rfind('.') + 1) +
-                  "\", " + texture + R"(}}, "bump": [{"layers": [{"texture": "map", )" + layer + "}]}]" +
-                  more + "}";
-    recipe.files["map." + file.substr(file.rfind('.') + 1)] = bytes_of(file);
-    recipe.entries = {"normal", "debug"};
-    return truth::make(recipe);
-}
 
 runtime::Scene file_scene(const std::string& file) {
     RealFiles files;
@@ -264,48 +240,6 @@ TEST_P(ObjectSpace, AgreesWithTangentSpace) {
 }
 INSTANTIATE_TEST_SUITE_P(Models, ObjectSpace, testing::ValuesIn(kBaked),
                          [](const auto& row) { return std::string(row.param.name); });
-
-// Bricks whose height and normal map come from a photograph: their slopes go together.
-TEST(AmbientCg, BricksHeightsGoWithTheirNormals) {
-    const std::string folder = "textures/ambientcg/Bricks102/Bricks102_1K-JPG_";
-    SG_NEEDS(folder + "Displacement.jpg");
-    runtime::Scene scene;
-    scene.content.meshes.push_back(runtime::make_plane(4, false));
-    scene.content.instances.push_back({"", 0, glm::mat4(1)});
-    scene.camera.position = {0, 0, 3};
-    scene.camera.ortho_height = 1.9;
-    auto slopes = [&](const std::string& file, const std::string& texture, const std::string& layer) {
-        const truth::Made made = one_layer(folder + file, texture, layer);
-        const runtime::Picture picture = truth::draw(made, scene, "normal", kPixels, kPixels);
-        std::vector<dvec2> out;
-        for (std::uint32_t y = 0; y < kPixels; ++y) {
-            for (std::uint32_t x = 0; x < kPixels; ++x) {
-                const dvec3 n = truth::rgb(picture, x, y);
-                out.emplace_back(n.x / n.z, n.y / n.z);
-            }
-        }
-        return out;
-    };
-    auto correlation = [](const std::vector<dvec2>& a, const std::vector<dvec2>& b) {
-        double aa = 0, bb = 0, ab = 0;
-        for (std::size_t i = 0; i < a.size(); ++i)
-            aa += glm::dot(a[i], a[i]), bb += glm::dot(b[i], b[i]), ab += glm::dot(a[i], b[i]);
-        return ab / std::sqrt(aa * bb);
-    };
-    const auto heights =
-        slopes("Displacement.jpg", R"("encoding": "height")", R"("kind": "height_map", "strength": 0.1)");
-    const auto up = slopes("NormalGL.jpg", R"("encoding": "tangent_normal")", R"("kind": "normal_map")");
-    const auto down =
-        slopes("NormalDX.jpg", R"("encoding": "tangent_normal", "green": "down")", R"("kind": "normal_map")");
-    const auto wrong = slopes("NormalDX.jpg", R"("encoding": "tangent_normal")", R"("kind": "normal_map")");
-    fmt::print("Bricks102: correlation {:.3f} GL, {:.3f} DX, {:.3f} with green the wrong way\n",
-               correlation(heights, up), correlation(heights, down), correlation(heights, wrong));
-    // A photograph's heights and normals agree only so far (8-bit JPEG, and a pixel covers several texels);
-    // which way is up they must agree on: with green turned, nothing is left.
-    EXPECT_GT(correlation(heights, up), 0.5);
-    EXPECT_GT(correlation(heights, down), 0.5);
-    EXPECT_LT(correlation(heights, wrong), 0.1);
-}
 
 // A plane seen from behind: with glTF's rule the whole normal turns.
 TEST(TwoSidedPlane, TurnsItsNormalBehind) {
