@@ -3,8 +3,12 @@
 namespace sg::runtime {
 
 FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, double height, double time,
-                       std::uint32_t view) {
+                       std::uint32_t view, bool negative_viewport) {
     CameraMatrices matrices = camera_matrices(scene.camera, bounds, width, height);
+    if (negative_viewport) {  // y px is that much from the lower edge
+        matrices.relative_from_screen[3] += height * matrices.relative_from_screen[1];
+        matrices.relative_from_screen[1] *= -1;
+    }
     FrameBlock out{};
     out.clip_from_relative = glm::mat4(matrices.clip_from_relative);
     out.relative_from_screen = glm::mat4(matrices.relative_from_screen);

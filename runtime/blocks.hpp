@@ -30,7 +30,7 @@ static_assert(sizeof(ObjectBlock) == 192);
 
 // `time` in seconds; `view` is the number of a debug view. Width and height in pixels, of what is drawn.
 FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, double height, double time,
-                       std::uint32_t view);
+                       std::uint32_t view, bool negative_viewport = false);
 ObjectBlock object_block(const Camera& camera, const glm::mat4& world_from_object);
 // A negative determinant.
 bool is_mirrored(const glm::mat4& world_from_object);

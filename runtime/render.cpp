@@ -199,6 +199,7 @@ bool Renderer::State::make_pipelines(Diags& diags) {
     state.pass = target->pass();
     state.extent = extent;
     state.cull_back = !artefact.two_sided;
+    state.negative_viewport = options.negative_viewport;
     state.colors = target->colors();
     for (bool mirrored : {false, true}) {
         const auto& all = scene.content.instances;
@@ -307,7 +308,7 @@ std::optional<Renderer> Renderer::create(gpu::Device& device, const Artefact& ar
 std::optional<Picture> Renderer::draw(const DebugView& view, Diags& diags) {
     VkExtent2D extent = state_->target->extent();
     FrameBlock block = frame_block(state_->scene, state_->bounds, extent.width, extent.height,
-                                   state_->options.time, view.number);
+                                   state_->options.time, view.number, state_->options.negative_viewport);
     std::memcpy(state_->frame->bytes().data(), &block, sizeof(block));
     auto record = [&](VkCommandBuffer commands) { state_->record(commands); };
     if (!state_->target->draw(state_->device, record, diags)) return std::nullopt;

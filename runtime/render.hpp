@@ -26,6 +26,9 @@ struct RenderOptions {
     std::uint32_t supersample = 1;      // draws so many times larger and shrinks
     double time = 0;                    // seconds
     std::vector<std::byte> parameters;  // from pack_parameters
+    // Draws with a viewport of negative height, as engines do whose y grows upward; the same matrices, so
+    // that the picture is upside down.
+    bool negative_viewport = false;
 };
 
 // One entry point with everything that it binds, on the device; draws any number of its views. Everything

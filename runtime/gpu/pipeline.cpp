@@ -86,12 +86,17 @@ struct FixedStates {
     explicit FixedStates(const DrawState& state) {
         assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
         area = {0, 0, static_cast<float>(state.extent.width), static_cast<float>(state.extent.height), 0, 1};
+        if (state.negative_viewport) {
+            area.y = area.height;
+            area.height = -area.height;
+        }
         scissor.extent = state.extent;
         viewport.viewportCount = viewport.scissorCount = 1;
         viewport.pViewports = &area;
         viewport.pScissors = &scissor;
         raster.cullMode = state.cull_back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
-        raster.frontFace = state.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
+        const bool clockwise = state.mirrored != state.negative_viewport;
+        raster.frontFace = clockwise ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
         raster.lineWidth = 1;
         samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
         depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;

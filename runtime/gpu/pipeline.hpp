@@ -37,8 +37,9 @@ struct DrawState {
     VkRenderPass pass = VK_NULL_HANDLE;
     VkExtent2D extent{};
     bool cull_back = true;
-    bool mirrored = false;     // clockwise triangles face front
-    std::uint32_t colors = 1;  // attachments
+    bool mirrored = false;           // clockwise triangles face front
+    bool negative_viewport = false;  // its height is negative: y grows upward on the screen
+    std::uint32_t colors = 1;        // attachments
 };
 // Triangles, depth test "less", no blending.
 std::optional<OwnedPipeline> make_draw_pipeline(const Device& device, const DrawState& state, Diags& diags);

@@ -101,7 +101,8 @@ std::span<const Variant> all_variants() {
                                             {Change::negative, "negative scale"},
                                             {Change::stretched, "non-uniform scale"},
                                             {Change::inside_mirror, "from inside, mirror"},
-                                            {Change::inside_flip, "from inside, flip"}};
+                                            {Change::inside_flip, "from inside, flip"},
+                                            {Change::turned, "negative viewport"}};
     return kVariants;
 }
 
@@ -166,7 +167,9 @@ runtime::Picture DrawnKind::normals(Change change, const std::string& json) {
     }
     found->second.textures = textures(found->second.artefact, change);
     const std::uint32_t side = variant_side(change);
-    return truth::draw(found->second, variant_scene(case_.shape, change), "normal", side, side);
+    const runtime::Scene& scene = variant_scene(case_.shape, change);
+    if (change != Change::turned) return truth::draw(found->second, scene, "normal", side, side);
+    return truth::upside_down(truth::draw(found->second, scene, "normal", side, side, true));
 }
 
 DrawnKind::Errors DrawnKind::against_truth(const runtime::Picture& normals, Change change) {

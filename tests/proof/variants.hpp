@@ -6,7 +6,17 @@
 
 namespace sg::proof {
 
-enum class Change { plain, ortho, twice, mirrored_uv, negative, stretched, inside_mirror, inside_flip };
+enum class Change {
+    plain,
+    ortho,
+    twice,
+    mirrored_uv,
+    negative,
+    stretched,
+    inside_mirror,
+    inside_flip,
+    turned
+};
 struct Variant {
     Change change;
     const char* name;
@@ -27,7 +37,8 @@ class DrawnKind {
 public:
     DrawnKind(const KindCase& c, const target::ShaderLibrary& library) : case_(c), library_(library) {}
 
-    // json: another material with the same textures, drawn as it is written.
+    // json: another material with the same textures, drawn as it is written. What a viewport of negative
+    // height shows upside down is turned back.
     runtime::Picture normals(Change change, const std::string& json = "");
     // At a grid of pixels of such a picture. Degrees: to the truth with all weights held constant, from the
     // smooth surface to that truth, and of the normals without a bump to those of the smooth surface.

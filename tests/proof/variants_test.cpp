@@ -149,6 +149,8 @@ TEST_P(Drawn, IsTrueHoweverItIsDrawn) {
     const double turned = rounding(tilt) + kWave * tilt;
     expect_below(apart(pictures[Change::mirrored_uv], same_place(plain)).p99,
                  c.name == "height_map_forward" ? turned : rounding(tilt), c.name, "mirrored uvs");
+    expect_below(apart(pictures[Change::turned], same_place(plain)).p99,
+                 c.name == "height_map_screen" ? turned : rounding(tilt), c.name, "negative viewport");
     if (!in_the_world(c))
         expect_below(apart(pictures[Change::negative], mirror_image(plain)).p99,
                      c.name == "height_map_screen" ? turned : rounding(tilt), c.name, "negative scale");
@@ -198,6 +200,11 @@ const std::vector<Mutant> kMutants = {
      "derivative_map", Change::inside_mirror},
     {"steepness_of_one_resolution", "surfgrad/from_height.glsl", "cross(level, frame.normal) / det",
      "cross(level, frame.normal) * 1e5", "height_map_hq", Change::twice},
+    // Right as long as y grows downward on the screen.
+    {"flip_sign_of_y_downward", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross",
+     "-sign_det * cross", "normal_map", Change::turned},
+    {"area_of_y_downward", "surfgrad/from_height.glsl", "cross(level, frame.normal) / det",
+     "cross(level, frame.normal) / -abs(det)", "height_map_screen", Change::turned},
     {"uv_derivatives_are_swapped", "stage/fragment.glsl", "dFdxFine(st), dFdyFine(st)",
      "dFdyFine(st), dFdxFine(st)", "normal_map_on_uv1", Change::ortho},
 };
@@ -218,6 +225,9 @@ TEST_P(DrawnWrong, IsNoticed) {
         const Verdict verdict = judge(kind, c, kind.normals(m.change), variant);
         fmt::print("{:48} {}\n", m.name, verdict.text);
         EXPECT_FALSE(verdict.holds);
+        if (m.change != Change::turned) continue;
+        const Verdict plain = judge(kind, c, kind.normals(Change::plain), all_variants()[0]);
+        EXPECT_TRUE(plain.holds) << plain.text;
     }
 }
 

@@ -68,14 +68,26 @@ Made make(const Recipe& recipe) {
 }
 
 runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view,
-                      std::uint32_t width, std::uint32_t height) {
+                      std::uint32_t width, std::uint32_t height, bool negative_viewport) {
     Diags diags;
     auto found = runtime::find_view(made.artefact, view, diags);
     if (!found) fail(view, diags);
-    runtime::RenderOptions options{width, height, 1, 0, made.parameters};
+    runtime::RenderOptions options{width, height, 1, 0, made.parameters, negative_viewport};
     auto picture = runtime::render(device(), made.artefact, made.textures, scene, *found, options, diags);
     if (!picture) fail(view, diags);
     return std::move(*picture);
+}
+
+runtime::Picture upside_down(const runtime::Picture& picture) {
+    runtime::Picture out = picture;
+    const std::uint32_t width = picture.values.width, last = picture.values.height - 1;
+    for (std::uint32_t y = 0; y <= last; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            for (int c = 0; c < 4; ++c) out.values.set(x, y, c, picture.values.at(x, last - y, c));
+            out.coverage[std::size_t{y} * width + x] = picture.coverage[std::size_t{last - y} * width + x];
+        }
+    }
+    return out;
 }
 
 std::map<std::string, std::string> sample_files() {

@@ -34,7 +34,9 @@ Made make(const Recipe& recipe);
 
 // Draws a view by name.
 runtime::Picture draw(const Made& made, const runtime::Scene& scene, const std::string& view,
-                      std::uint32_t width, std::uint32_t height);
+                      std::uint32_t width, std::uint32_t height, bool negative_viewport = false);
+// Its rows from the last to the first.
+runtime::Picture upside_down(const runtime::Picture& picture);
 
 // Every file of materials/, by path relative to that folder, into a recipe's files.
 std::map<std::string, std::string> sample_files();
