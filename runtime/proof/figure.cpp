@@ -141,9 +141,10 @@ Claim read_claim(const SourcePtr& source, const Value& value, const Figure& figu
     if (out.held && !figure.held)
         diags.error(Code::missing_key, out.place,
                     "a claim about held weights needs \"held\": true in 'truth'");
+    out.beyond = reader.flag("beyond");
     out.tilted = reader.number("tilted", 0, 0, 90);
-    if (out.tilted > 0 && figure.truth.empty())
-        diags.error(Code::missing_key, out.place, "a claim about tilted pixels needs the key 'truth'");
+    if ((out.beyond || out.tilted > 0) && figure.truth.empty())
+        diags.error(Code::missing_key, out.place, "a claim about single pixels needs the key 'truth'");
     std::size_t kinds = 0;
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         const Value* limit = reader.get(kKinds[i], Kind::number);

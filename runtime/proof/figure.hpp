@@ -9,14 +9,16 @@
 //     "pictures": [ { "id": "old", "material": "old.json", "label": "...", "parameters": ["a=1"] } ],
 //     "claims": [ { "text": "...", "picture": "old", "number": "median", ...one of
 //                   "below": 0.5 | "above": 5 | "times": 5, "than": "ours" | "apart": 0.1, "from": "ours",
-//                   "held": true, "tilted": 10 } ] }
+//                   "held": true, "tilted": 10, "beyond": true } ] }
 //
 // Numbers are degrees: median, p95, p99 or max of the angles to the truth, or with "from" to another picture.
 // Where weights vary over the surface (shares of planes, edges of decals) every method leaves out their
 // change, H grad w. "held": true in "truth" also measures the pictures against the surface whose weights are
 // held as they are at each pixel, and how far that is from the truth; a claim with "held": true is about
 // those angles. "tilted": 10 counts only pixels where the truth is 10 degrees or more from the smooth
-// surface: level ground, which every method shows alike, would hide what they do to slopes.
+// surface: level ground, which every method shows alike, would hide what they do to slopes. "beyond": true
+// takes from each pixel's angle what bump mapping leaves out there at most (truth.hpp), with "held": true in
+// "truth" H grad w as well: what remains is filters, texels and mistakes.
 #pragma once
 
 #include <optional>
@@ -39,8 +41,9 @@ struct Claim {
     std::string text, picture, other, number = "median";
     Kind kind = Kind::below;
     double value = 0;
-    bool held = false;  // against the truth with its weights held
-    double tilted = 0;  // degrees: only where the truth is that far from the smooth surface
+    bool held = false;    // against the truth with its weights held
+    bool beyond = false;  // what exceeds, at each pixel, what bump mapping leaves out
+    double tilted = 0;    // degrees: only where the truth is that far from the smooth surface
     Place place;
 };
 

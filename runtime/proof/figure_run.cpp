@@ -124,10 +124,10 @@ double number(const Numbers& numbers, const std::string& name) {
 
 // The angles of the pixels that a claim is about.
 Numbers claimed(const Claim& claim, const std::vector<double>& degrees, const DrawnFigure& figure) {
-    if (claim.tilted == 0) return numbers_of(degrees);
     std::vector<double> out;
-    for (std::size_t i = 0; i < figure.tilt.size(); ++i) {
-        if (figure.tilt[i] >= claim.tilted) out.push_back(degrees[i]);
+    for (std::size_t i = 0; i < degrees.size(); ++i) {
+        if (claim.tilted > 0 && !(figure.tilt[i] >= claim.tilted)) continue;
+        out.push_back(claim.beyond ? std::max(degrees[i] - figure.left_out[i], 0.0) : degrees[i]);
     }
     return numbers_of(std::move(out));
 }
@@ -171,6 +171,7 @@ void judge_claim(const Claim& claim, DrawnFigure& out, Diags& diags) {
             break;
         }
     }
+    if (claim.beyond) measured += " beyond what bump mapping leaves out";
     if (claim.tilted > 0)
         measured += fmt::format("; of {} pixels tilted by {:g} degrees or more", pixels, claim.tilted);
     holds = holds && pixels > 0;
@@ -194,6 +195,7 @@ std::optional<DrawnFigure> draw_figure(const Figure& figure, std::uint32_t shrin
         if (!truth) return std::nullopt;
         out.truth = shaded(truth->normal, figure.light.value_or(runtime::Light{}.direction));
         out.tilt = truth->tilt.degrees;
+        out.left_out = truth->left_out.degrees;
         std::vector<Angles> all;
         double worst = 0;
         for (DrawnPicture& picture : out.pictures) {
@@ -204,7 +206,12 @@ std::optional<DrawnFigure> draw_figure(const Figure& figure, std::uint32_t shrin
             picture.held = numbers_of(picture.held_degrees);
             worst = std::max(worst, picture.numbers.p95);
         }
-        if (figure.held) out.neglected = numbers_of(angles_between(truth->normal, truth->held).degrees);
+        if (figure.held) {
+            const std::vector<double> weights = angles_between(truth->normal, truth->held).degrees;
+            for (std::size_t i = 0; i < weights.size(); ++i) out.left_out[i] += weights[i];
+            out.neglected = numbers_of(weights);
+        }
+        out.most_left_out = numbers_of(out.left_out);
         // One scale for all pictures of the figure, so that they can be compared by eye.
         for (std::size_t i = 0; i < all.size(); ++i)
             out.pictures[i].error = asset::png_bytes(angle_map(all[i], round_scale(worst)));

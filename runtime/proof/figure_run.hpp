@@ -24,8 +24,11 @@ struct DrawnFigure {
     std::vector<DrawnPicture> pictures;
     std::string
         truth;  // PNG: normals of the displaced surface, lit by the direction of the light; "" without
-    std::vector<double> tilt;  // per pixel, degrees from the smooth surface to the truth
-    Numbers neglected;         // of the angles between the truth and that with its weights held, if asked for
+    // Per pixel, degrees from the smooth surface to the truth, and what bump mapping leaves out of that at
+    // most.
+    std::vector<double> tilt, left_out;
+    Numbers most_left_out;  // of these
+    Numbers neglected;      // of the angles between the truth and that with its weights held, if asked for
     std::vector<std::pair<std::string, bool>> claims;  // what was measured, and whether it holds
 };
 

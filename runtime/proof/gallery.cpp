@@ -147,6 +147,7 @@ void add_maps(const DrawnFigure& figure, std::string& page) {
         for (const DrawnPicture& p : figure.pictures) row(p.picture.label + ", weights held", p.held);
         row("H grad w, which all leave out", figure.neglected);
     }
+    row("left out by bump mapping, at most", figure.most_left_out);
     page += "</table>\n";
 }
 

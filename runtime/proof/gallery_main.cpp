@@ -73,6 +73,8 @@ int run(const Line& line, sg::Diags& diags) {
         }
         if (figure.held)
             fmt::print("  H grad w, which all leave out: {}\n", sg::proof::text_of(one->neglected));
+        if (!figure.truth.empty())
+            fmt::print("  left out by bump mapping, at most: {}\n", sg::proof::text_of(one->most_left_out));
         drawn.push_back(std::move(*one));
     }
     if (!line.folder.empty()) {

@@ -227,7 +227,7 @@ TruePictures true_normals(const Job& job, Judge& judge, const Picture& positions
     const asset::Image& v = positions.values;
     const Picture empty{asset::make_image(v.width, v.height, asset::TexelFormat::float32),
                         std::vector<float>(positions.coverage.size(), 0.0f)};
-    TruePictures out{empty, empty, Angles(v.width, v.height)};
+    TruePictures out{empty, empty, Angles(v.width, v.height), Angles(v.width, v.height)};
     auto put = [](Picture& picture, std::uint32_t x, std::uint32_t y, glm::dvec3 normal) {
         if (normal == glm::dvec3(0)) return;  // the ray misses the surface
         picture.coverage[std::size_t{y} * picture.values.width + x] = 1;
@@ -242,7 +242,9 @@ TruePictures true_normals(const Job& job, Judge& judge, const Picture& positions
             const TrueNormal truth = judge.truth->at(point, {x + 0.5, y + 0.5}, sight, held);
             put(out.normal, x, y, truth.normal);
             if (held) put(out.held, x, y, truth.held);
-            if (truth.normal != glm::dvec3(0)) out.tilt.at(x, y) = angle_degrees(truth.base, truth.normal);
+            if (truth.normal == glm::dvec3(0)) continue;
+            out.tilt.at(x, y) = angle_degrees(truth.base, truth.normal);
+            out.left_out.at(x, y) = truth.left_out;
         }
     }
     return out;

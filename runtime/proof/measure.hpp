@@ -32,7 +32,8 @@ std::optional<runtime::Picture> draw_positions(runtime::gpu::Device& device, con
 // The truth at these points, and if asked for that with all weights held as they are at each.
 struct TruePictures {
     runtime::Picture normal, held;
-    Angles tilt;  // from the smooth surface to the truth
+    Angles tilt;      // from the smooth surface to the truth
+    Angles left_out;  // what bump mapping leaves out at most
 };
 TruePictures true_normals(const runtime::Job& job, Judge& judge, const runtime::Picture& positions,
                           bool held = false);

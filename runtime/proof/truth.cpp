@@ -30,6 +30,24 @@ dvec3 on_plane(const glm::dmat4& relative_from_screen, dvec2 pixel, dvec3 point,
     return from + along * (glm::dot(point - from, normal) / glm::dot(along, normal));
 }
 
+// The largest |dn| / |dp| of all directions, from changes of points and normals along two: the square root of
+// the larger eigenvalue of the one's squares by the other's.
+double largest_curvature(dvec3 px, dvec3 py, dvec3 nx, dvec3 ny) {
+    auto squares = [](dvec3 a, dvec3 b) {
+        return dmat2(glm::dot(a, a), glm::dot(a, b), glm::dot(a, b), glm::dot(b, b));
+    };
+    const dmat2 m = glm::inverse(squares(px, py)) * squares(nx, ny);
+    const double half = (m[0][0] + m[1][1]) / 2;
+    return std::sqrt(std::max(half + std::sqrt(std::max(half * half - glm::determinant(m), 0.0)), 0.0));
+}
+
+double sine_between(dvec3 a, dvec3 b) {
+    return glm::length(glm::cross(a, b));  // of unit vectors
+}
+double arcsine(double sine) {
+    return sine < 1 ? std::asin(sine) * 57.29577951308232 : 180;
+}
+
 }  // namespace
 
 // The pixel's point with its tangent plane and everything that all points of the square share.
@@ -183,7 +201,7 @@ ir::PixelInputs Truth::inputs(dvec3 point, dvec2 pixel, dvec3 sight) const {
 }
 
 // A diamond of points: each stage needs the neighbours of those that the next one needs.
-dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
+dvec3 Truth::displaced_normal(const Square& square, bool held, TrueNormal& out) {
     const int reach = static_cast<int>(stages_.size()), side = 2 * reach + 1;
     const auto index = [&](int x, int y) { return static_cast<std::size_t>((y + reach) * side + x + reach); };
     const auto count = static_cast<std::size_t>(side * side);
@@ -206,7 +224,23 @@ dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
                                           (relief_ && k == 0 ? relief_->bias() : 0);
         }
     }
+    const std::size_t middle_index = index(0, 0), looked_up = relief_ ? 1 : 0;
+    const std::vector<double> along = changes_along(square, normals[middle_index]);
+    dvec3 first_point(0.0), first_normal = normals[middle_index];  // where volumes are looked up
+    double first_curvature = 0;
+    out.left_out = 0;
     for (std::size_t k = 0; k < stages_.size(); ++k) {
+        const dvec3 before = normals[middle_index];
+        const double curvature = largest_curvature(
+            points[index(1, 0)] - points[index(-1, 0)], points[index(0, 1)] - points[index(0, -1)],
+            normals[index(1, 0)] - normals[index(-1, 0)], normals[index(0, 1)] - normals[index(0, -1)]);
+        if (k <= looked_up) {
+            first_point = points[middle_index];
+            first_normal = before;
+            first_curvature = curvature;
+        }
+        const double bent = std::abs(heights[k][middle_index]) * curvature +
+                            glm::distance(points[middle_index], first_point) * first_curvature;
         for (std::size_t i = 0; i < count; ++i) points[i] += heights[k][i] * normals[i];
         const int inner = reach - static_cast<int>(k) - 1;
         for (int y = -inner; y <= inner; ++y) {
@@ -220,10 +254,29 @@ dvec3 Truth::displaced_normal(const Square& square, bool held, double& moved) {
                 normal = glm::normalize(outward * mirrored * n);
             }
         }
+        const dvec3 after = normals[middle_index];
+        out.left_out += arcsine(bent * sine_between(before, after)) +
+                        arcsine(std::abs(along[k]) * sine_between(first_normal, before) *
+                                std::abs(glm::dot(before, after)));
     }
-    moved = glm::length(points[index(0, 0)]);
-    const dvec3 out = normals[index(0, 0)];
-    return flips_ && square.facing < 0 ? -out : out;
+    out.moved = glm::length(points[middle_index]);
+    const dvec3 normal = normals[middle_index];
+    return flips_ && square.facing < 0 ? -normal : normal;
+}
+
+std::vector<double> Truth::changes_along(const Square& square, dvec3 normal) {
+    std::vector<double> out(stages_.size(), 0);
+    if (stages_.size() < 2) return out;
+    for (double side : {1.0, -1.0}) {
+        ir::PixelInputs inputs = lifted_inputs(square, square.middle);
+        inputs.position += side * kStep * normal;
+        inputs.world.p += side * kStep * normal;
+        inputs.object.p = affine(object_from_world_, inputs.world.p);
+        const auto& values = evaluator_.run(inputs);
+        for (std::size_t k = 1; k < stages_.size(); ++k)
+            out[k] += side * heights_.of(stages_[k], values, values) / (2 * kStep);
+    }
+    return out;
 }
 
 TrueNormal Truth::at(dvec3 point, dvec2 pixel, dvec3 sight, bool held) {
@@ -232,8 +285,8 @@ TrueNormal Truth::at(dvec3 point, dvec2 pixel, dvec3 sight, bool held) {
     if (!look(square, point, pixel, sight)) return out;
     const bool turned = (mirrors_ || flips_) && square.facing < 0;
     out.base = (turned ? -1.0 : 1.0) * glm::normalize(normal_from_object_ * square.middle.normal);
-    out.normal = displaced_normal(square, false, out.moved);
-    if (held) out.held = displaced_normal(square, true, out.moved);
+    out.normal = displaced_normal(square, false, out);
+    if (held) out.held = displaced_normal(square, true, out);
     return out;
 }
 

@@ -15,6 +15,15 @@
 // (relief.hpp). There the stages stand as they do everywhere, and volumes are looked up on that surface.
 // Where the ray meets nothing, past a silhouette, there is no normal.
 //
+// What bump mapping leaves out. A height H over a surface with normal n moves tangents t to t + (grad H . t)
+// n
+// + H dn(t), of which bump mapping lacks the last: its gradient g is off by the transpose of H dn, at most H
+// times the largest curvature times |g|, and n - g by the arcsine of H curvature sin(tilt). A later stage of
+// volumes is looked up where the surface was before, but its gradient is taken along the tangents of the
+// moved one, which also go along n: by the change of H along n, times the sine of the tilt so far, times the
+// cosine of the new one. Each stage adds its own. (A later stage on coordinates, whose pixel is not
+// lengthened by the tilt so far, is not counted.)
+//
 // Everything that depends on the screen (level of detail, footprint of a noise) is that of the pixel and the
 // same at all points of the square.
 #pragma once
@@ -34,6 +43,8 @@ struct TrueNormal {
     glm::dvec3 held{0};    // the same with all weights held constant: without the terms H grad w
     glm::dvec3 base{0};    // of the smooth surface, towards the visible side if two-sided
     double moved = 0;      // how far the surface was displaced there, world units
+    // Degrees by which bump mapping with exact gradients can be off `held`, to first order, see below.
+    double left_out = 0;
 };
 
 class Truth {
@@ -61,8 +72,10 @@ private:
     // The square under the point that parallax shows; false where it shows none.
     bool look(Square& square, glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight);
     [[nodiscard]] Square square_at(glm::dvec3 point, glm::dvec2 pixel, glm::dvec3 sight) const;
-    // moved: becomes the distance by which the middle was displaced.
-    glm::dvec3 displaced_normal(const Square& square, bool held, double& moved);
+    // Fills in all but `normal` and `held`.
+    glm::dvec3 displaced_normal(const Square& square, bool held, TrueNormal& out);
+    // How the height of each stage changes along the normal of the surface where volumes are looked up.
+    std::vector<double> changes_along(const Square& square, glm::dvec3 normal);
 
     std::map<std::string, Partner> partners_;
     std::optional<ReliefSource> source_;

@@ -138,7 +138,7 @@ bad.figure.json:5:1: error: a claim needs exactly one of 'below', 'above', 'time
 bad.figure.json:5:27: error: unknown picture 'b', expected 'a', did you mean 'a'? [SG1106]
 { "text": "t", "picture": "b", "below": 1, "above": 2 },
                           ^^^
-bad.figure.json:6:1: error: a claim about tilted pixels needs the key 'truth' [SG1102]
+bad.figure.json:6:1: error: a claim about single pixels needs the key 'truth' [SG1102]
 { "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] }
 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
 bad.figure.json:6:54: error: 'tilted' must be from 0 to 90, not 91 [SG1104]

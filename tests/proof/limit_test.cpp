@@ -10,6 +10,11 @@
 //
 // Where a weight varies over the surface (masks, shares of planes, the edge of a decal) H grad w is left out
 // in first order. The limit is that of weights held constant; beside it the neglected part is printed.
+//
+// And what is left out is known: at nine of ten points, at every height, the error is below what truth.hpp
+// derives, which is less than twice as much. Filters may add 2e-4 of the tilt: half a texel both
+// ways, 2.7e-6, over which slopes change by 17 times their most, and 3.5 times that where the torus is
+// narrow.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -25,6 +30,7 @@ namespace {
 struct Step {
     double height = 0, error = 0, tilt = 0, neglected = 0;  // degrees; 90th percentiles
     double mirrored = 0;                                    // error of the bump of the wrong sign
+    double left_out = 0, beyond = 0;  // what bump mapping leaves out at most; errors above that
 };
 
 double at_90_percent(std::vector<double> values) {
@@ -33,7 +39,7 @@ double at_90_percent(std::vector<double> values) {
 }
 
 Step measure(const KindCase& c, Subject& subject, double height) {
-    std::vector<double> errors, tilts, neglected, mirrored;
+    std::vector<double> errors, tilts, neglected, mirrored, left_out, beyond;
     subject.bindings().parameters.at(0) = height * c.unit;
     Truth truth = subject.truth(c.shape);
     for (const Glance& glance : glances(c.shape, 150, 7)) {
@@ -44,11 +50,18 @@ Step measure(const KindCase& c, Subject& subject, double height) {
         subject.bindings().parameters.at(0) = -height * c.unit;
         mirrored.push_back(angle_degrees(subject.shaded(inputs), exact.held));
         errors.push_back(angle_degrees(shaded, exact.held));
+        left_out.push_back(exact.left_out);
+        beyond.push_back(errors.back() - exact.left_out);
         tilts.push_back(angle_degrees(shaded, exact.base));
         neglected.push_back(angle_degrees(exact.normal, exact.held));
     }
-    return {height, at_90_percent(errors), at_90_percent(tilts), at_90_percent(neglected),
-            at_90_percent(mirrored)};
+    return {height,
+            at_90_percent(errors),
+            at_90_percent(tilts),
+            at_90_percent(neglected),
+            at_90_percent(mirrored),
+            at_90_percent(left_out),
+            at_90_percent(beyond)};
 }
 
 // Of log error over log height, by least squares.
@@ -77,9 +90,13 @@ TEST_P(SmallHeights, AreExactInTheLimit) {
     fmt::print(
         "{:28} slope {:.3f} (none {:.2f}, wrong sign {:.2f})  error/tilt {:.5f} -> {:.6f}  tilt {:.2f} -> "
         "{:.3f}  "
-        "H grad w {:.3f} degrees at tilt {:.1f}\n",
+        "left out {:.3f} of {:.3f}, H grad w {:.3f} degrees at tilt {:.1f}\n",
         c.name, ours, none, wrong, first.error / first.tilt, last.error / last.tilt, first.tilt, last.tilt,
-        first.neglected, first.tilt);
+        first.left_out, first.error, first.neglected, first.tilt);
+    for (const Step& step : steps) {
+        EXPECT_LE(step.beyond, 2e-4 * step.tilt) << "at height " << step.height;
+        EXPECT_LT(step.left_out, 2 * step.error) << "at height " << step.height;
+    }
     EXPECT_GT(first.tilt, 1);
     EXPECT_GE(ours, 1.8);
     EXPECT_LT(last.error / last.tilt, 0.1 * first.error / first.tilt);
