@@ -45,7 +45,7 @@ h2 { margin: 0 0 .2rem; } .source { color: var(--soft); margin: 0 0 .8rem; }
 .wipe img { width: 100%; height: auto; } .wipe img + img { position: absolute; inset: 0; }
 .wipe .edge { position: absolute; top: 0; bottom: 0; width: 2px; background: #fff8; }
 .controls { display: flex; flex-wrap: wrap; gap: .6rem; justify-content: center; align-items: center; margin-bottom: 1rem; }
-.controls input { width: min(420px, 60vw); }
+.controls input { width: min(420px, 60vw); } .controls select { max-width: 17rem; }
 .row { display: flex; flex-wrap: wrap; gap: 1rem; } figure { margin: 0; flex: 1 1 220px; max-width: 360px; }
 figure img { width: 100%; height: auto; background: #2a2a2e; } figcaption { font-weight: 600; }
 table { border-collapse: collapse; margin: .8rem 0; } th, td { text-align: right; padding: .15rem .8rem; border-bottom: 1px solid var(--line); } th:first-child, td:first-child { text-align: left; }
