@@ -55,7 +55,8 @@ button, select { font: inherit; }
 </style></head><body>
 <header><h1>Pictures that prove it</h1><button id="theme" type="button">light / dark</button></header>
 <p>Each figure shows older methods beside surface gradients, and how far the normal of every pixel is from that of the surface which is
-really displaced, computed in double precision. Numbers are degrees. Maps run from black (0) to white, one scale per figure.</p>
+really displaced, computed in double precision. Numbers are degrees. Maps run from black (0) to white, one scale per figure. What bump
+mapping leaves out at most is derived for each pixel from heights, curvatures and tilts; what is beyond it comes from filters and texels.</p>
 )page";
 
 constexpr const char* kTail = R"page(<script>
