@@ -206,6 +206,42 @@ void add_composites(std::vector<KindCase>& out) {
     add("chain_of_three", height + "}]}, {\"layers\": [" + noise + "}]}, {\"layers\": [" + slopes + "}");
 }
 
+// Slopes so low that all ways of blending two normals add them, but for the square of a slope: 0.02 of those
+// above, 0.03 at most.
+constexpr double kLow = 0.02;
+Texel low_normals(dvec3 stretch) {
+    return normal_of([stretch](dvec2 c) { return kLow * torus_slope(stretch)(c); });
+}
+
+void add_equals(std::vector<KindCase>& out) {
+    const std::string layer = R"({"kind": "normal_map", "texture": "map", "strength": "$h", "id": )";
+    const std::string head =
+        R"({"version": 1, "textures": {"map": {"file": "any.png", "green": "down", "encoding": "tangent_normal"}}, "bump": [{"layers": [)";
+    for (const std::string method : {"pd", "whiteout", "udn", "rnm", "weighted"}) {
+        KindCase c{"normal_blend_" + method,
+                   SmoothShape::torus,
+                   head + layer + "\"a\"}, " + layer + "\"b\"}]}]",
+                   {{"map", low_normals(dvec3(1))}},
+                   {{"map", kLow}},
+                   0.5 / kLow};
+        c.stretched = low_normals;
+        c.drawn = head +
+                  R"({"id": "both", "kind": "normal_blend", "texture": "map", "second_texture": "map", )" +
+                  R"("strength": "$h", "method": ")" + method + "\"}]}]";
+        out.push_back(c);
+    }
+    const std::string bump = R"({"version": 1, "bump": [{"layers": [{"id": "bump", "strength": "$h", )";
+    KindCase own{"custom",
+                 SmoothShape::rock,
+                 bump + R"("kind": "noise", "frequency": 2, "function": "turbulence", "power": 2}]}])",
+                 {},
+                 {},
+                 0.3};
+    own.drawn = bump + R"("kind": "custom", "file": "shaders/custom.glsl", "function": "dents", )" +
+                R"("returns": "volume_gradient", "arguments": ["object", 2, 2]}]}])";
+    out.push_back(own);
+}
+
 // A decal's slope is per unit length where its image falls on the unit sphere around the projector.
 Texel decal_texture(const glm::dmat4& projector, bool cube) {
     return [projector, cube](dvec2 st) {
@@ -240,6 +276,15 @@ const std::vector<KindCase>& all_kind_cases() {
         add_uv_kinds(out);
         add_volume_kinds(out);
         add_composites(out);
+        return out;
+    }();
+    return kCases;
+}
+
+const std::vector<KindCase>& equal_kind_cases() {
+    static const std::vector<KindCase> kCases = [] {
+        std::vector<KindCase> out;
+        add_equals(out);
         return out;
     }();
     return kCases;

@@ -16,8 +16,11 @@ struct KindCase {
     double unit = 1;                         // what "$h" is per unit of world height
     bool decal = false;                      // its texture needs the projector (see made_subject)
     Texel (*stretched)(glm::dvec3) = nullptr;  // of slopes on a uv set: "map" where the axes are stretched
+    std::string drawn;  // a material without known heights that must look like `material`; else itself
 };
 const std::vector<KindCase>& all_kind_cases();
+// Kinds that have no height: blends of two normals, functions of one's own.
+const std::vector<KindCase>& equal_kind_cases();
 // Texels per side of a FunctionTexture.
 inline constexpr double kFunctionSide = 1 << 18;
 inline std::ostream& operator<<(std::ostream& out, const KindCase& c) {

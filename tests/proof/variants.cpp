@@ -122,10 +122,10 @@ std::uint32_t variant_side(Change change) {
     return change == Change::twice ? 2 * kVariantPixels : kVariantPixels;
 }
 
-std::string variant_json(const KindCase& c, bool flip) {
+std::string variant_json(const KindCase& c, bool flip, bool drawn) {
     // A map as displacement counts in texels, of which a FunctionTexture has more.
     const double texels = c.name == "normal_map_as_displacement" ? kFunctionSide / kVariantTexels : 1;
-    return c.material +
+    return (drawn && !c.drawn.empty() ? c.drawn : c.material) +
            fmt::format(
                R"(, "parameters": {{"h": {{"type": "float", "default": {}, "range": [-1, 1]}}}}, "surface": {{"two_sided": "{}"}}}})",
                kVariantStrength * c.unit * texels, flip ? "flip" : "mirror");
@@ -162,6 +162,9 @@ runtime::Picture DrawnKind::normals(Change change, const std::string& json) {
     if (found == made_.end()) {
         truth::Recipe recipe{json.empty() ? variant_json(case_, flip) : json, {}};
         recipe.optimise = json.empty();
+        RealFiles files;
+        recipe.files["shaders/custom.glsl"] =
+            files.read(SG_SOURCE_DIR "/materials/shaders/custom.glsl").bytes;
         recipe.files["any.png"] = asset::png_bytes(asset::make_image(4, 4, asset::TexelFormat::unorm8));
         found = made_.emplace(flip, truth::make(recipe, library_)).first;
     }
@@ -176,7 +179,7 @@ DrawnKind::Errors DrawnKind::against_truth(const runtime::Picture& normals, Chan
     const bool flip = change == Change::inside_flip;
     auto found = subjects_.find(flip);
     if (found == subjects_.end()) {
-        found = subjects_.emplace(flip, made_subject(case_, variant_json(case_, flip))).first;
+        found = subjects_.emplace(flip, made_subject(case_, variant_json(case_, flip, false))).first;
         found->second.bindings().parameters.at(0) = kVariantStrength * case_.unit;
     }
     const runtime::Scene& scene = variant_scene(case_.shape, change);

@@ -59,8 +59,9 @@ private:
     std::map<Change, runtime::TextureSet> textures_;
 };
 
-// The material of a kind, two-sided; `flip` chooses how.
-std::string variant_json(const KindCase& c, bool flip);
+// The material of a kind, two-sided; `flip` chooses how. drawn: what is drawn, else that whose heights are
+// known.
+std::string variant_json(const KindCase& c, bool flip, bool drawn = true);
 // What its textures hold for a variant.
 asset::Image variant_texture(const KindCase& c, const std::string& name, Change change);
 
