@@ -1,0 +1,191 @@
+// Materials that mean the same, written in two ways, and what a material must come to: by the interpreter.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compile.hpp"
+#include "ir/text.hpp"
+#include "tests/oracle/memory_texture.hpp"
+#include "tests/oracle/random_module.hpp"
+#include "tests/render/workshop.hpp"
+
+namespace sg::oracle {
+namespace {
+
+using Json = nlohmann::json;
+using ref::dvec3;
+
+// A height that rises by 1/16 per texel.
+struct Ramp : ref::TextureSource {
+    static constexpr int kSide = 16;
+    static constexpr double kRise = 1.0 / kSide;
+    glm::dvec4 fetch(glm::ivec2 texel, int) const override { return glm::dvec4(kRise * texel.x); }
+    glm::ivec2 size(int) const override { return {kSide, kSide}; }
+    int levels() const override { return 1; }
+};
+
+class Meaning {
+public:
+    // Every texture holds the same noise, a colour its red in alpha alone; or all hold `texels`.
+    explicit Meaning(const std::string& text, const ref::TextureSource* texels = nullptr) {
+        MemoryFiles files;
+        for (const auto& [path, bytes] : truth::sample_files()) files.contents["in/" + path] = bytes;
+        CompileRequest request{.source = std::make_shared<Source>(Source{"case.json", text})};
+        request.stem = "case";
+        request.roots = {"in"};
+        request.entries = {"normal"};
+        Diags diags;
+        const auto compiled = compile_material(request, files, target::embedded_library(), diags);
+        if (!compiled) throw std::runtime_error(text + "\n" + render(diags));
+        std::string fault;
+        module_ = ir::parse(compiled->ir, fault).value();
+        std::mt19937_64 random(3);
+        noise_ = random_texture(random, {8, 8});
+        color_ = noise_;
+        for (auto& level : color_.chain) {
+            for (auto& texel : level.texels) texel = {0, 0, 0, texel.r};
+        }
+        for (const ir::Texture& texture : module_.textures) {
+            const bool color = texture.encoding == ir::TextureEncoding::color;
+            bindings_.textures.emplace_back().texels = texels ? texels : color ? &color_ : &noise_;
+        }
+        const Json json = Json::parse(text);
+        for (const ir::Parameter& p : module_.parameters) {
+            const auto numbers = json["parameters"][p.name]["default"].get<std::vector<double>>();
+            bindings_.parameters.push_back(ir::datum_of(p.type, numbers));
+        }
+    }
+    [[nodiscard]] dvec3 normal(const ir::PixelInputs& pixel) const {
+        ir::Evaluator evaluator(module_, bindings_);
+        evaluator.run(pixel);
+        return std::get<dvec3>(evaluator.output(ir::Output::normal));
+    }
+
+private:
+    ir::Module module_;
+    ref::MemoryTexture noise_, color_;
+    ir::Bindings bindings_;
+};
+
+std::string material(const std::string& bump, const std::string& cutout = "mask",
+                     const std::string& parameters = "{}") {
+    return R"({ "version": 1, "parameters": )" + parameters + R"(, "textures": {
+        "n": { "file": "textures/pebble_normal.png", "encoding": "tangent_normal" },
+        "h": { "file": "textures/rib_height.png", "encoding": "height" },
+        "cut": { "file": "textures/stone_color.png", "encoding": ")" +
+           cutout + R"(" } }, "bump": [ )" + bump + " ] }";
+}
+
+std::vector<ir::PixelInputs> pixels() {
+    std::mt19937_64 random(run_seed());
+    std::uniform_real_distribution<double> place(-3.0, 3.0);
+    std::vector<ir::PixelInputs> out;
+    for (int i = 0; i < 400; ++i) {
+        out.push_back(random_pixel(random));
+        const dvec3 p(place(random), place(random), place(random));
+        out.back().object = out.back().world = {p, out.back().dpdx, out.back().dpdy};
+        out.back().facing = 1;
+    }
+    return out;
+}
+
+// How many pixels have a bump; none of them differs.
+int same(const Meaning& a, const Meaning& b) {
+    int bumped = 0;
+    for (const ir::PixelInputs& pixel : pixels()) {
+        const dvec3 normal = a.normal(pixel);
+        EXPECT_LT(glm::distance(normal, b.normal(pixel)), 1e-12);
+        bumped += glm::distance(normal, glm::normalize(pixel.vertex_normal)) > 1e-3;
+    }
+    return bumped;
+}
+
+// Turned by 90 degrees about x: up is +z, and the image flies along +y. So right is (x - 0.5) / 2, down
+// (2 - z) / 4, ahead 0.4 (y + 1).
+TEST(EqualMaterials, AProjectorsMatrixIsItsPlace) {
+    for (const char* shape : {"box", "cone", "sphere", "wedge"}) {
+        const std::string decal =
+            std::string(R"({ "layers": [ { "kind": "decal", "space": "world", "shape": ")") + shape +
+            R"(", "texture": "n", "strength": 0.5, )";
+        const Meaning placed(material(
+            decal + R"("position": [0.5, -1, 2], "rotation": [90, 0, 0], "size": [2, 4, 2.5] } ] })"));
+        const Meaning thrown(material(
+            decal + R"("projector": "$place" } ] })", "mask",
+            R"({ "place": { "type": "mat4", "default": [0.5, 0, 0, 0, 0, 0, 0.4, 0, 0, -0.25, 0, 0, -0.25, 0.5, 0.4, 1] } })"));
+        EXPECT_GT(same(placed, thrown), 5) << shape;
+    }
+}
+
+TEST(EqualMaterials, AColoursAlphaCutsAsAMaskDoes) {
+    const std::string decal =
+        R"({ "layers": [ { "kind": "decal", "texture": "n", "size": [3, 3, 3], "cutout": "cut" } ] })";
+    EXPECT_GT(same(Meaning(material(decal, "mask")), Meaning(material(decal, "color"))), 100);
+}
+
+const std::string kFirst =
+    R"({ "id": "first", "layers": [ { "kind": "normal_map", "texture": "n", "strength": 0.2 } ] })";
+const std::string kSecond =
+    R"(, { "id": "second", "layers": [ { "kind": "normal_map", "texture": "n", "uv": 1, "strength": 0.2 } ] })";
+
+std::string back_to(const std::string& field, const std::string& mask = "1") {
+    return R"(, { "layers": [ { "kind": "earlier_normal", "mask": )" + mask + field + " } ] }";
+}
+
+TEST(EqualMaterials, AnEarlierNormalComesBack) {
+    const std::string first = R"(, "entry": "first")", second = R"(, "entry": "second")";
+    const Meaning one(material(kFirst)), two(material(kFirst + kSecond));
+    EXPECT_GT(same(one, Meaning(material(kFirst + kSecond + back_to(first)))), 100);
+    EXPECT_GT(same(two, Meaning(material(kFirst + kSecond + back_to(second)))), 100);
+    EXPECT_GT(same(two, Meaning(material(kFirst + kSecond + back_to(first, "0")))), 100);
+    EXPECT_EQ(
+        same(
+            Meaning(material(R"({ "layers": [ { "kind": "normal_map", "texture": "n", "strength": 0 } ] })")),
+            Meaning(material(kFirst + kSecond + back_to("")))),
+        0);
+}
+
+// A share m of the way, in the plane that touches the unit sphere at n: (1 - m) n + m d / (n d).
+TEST(EqualMaterials, AMaskMixesAnEarlierNormalIn) {
+    const Meaning earlier(material(kFirst)), later(material(kFirst + kSecond));
+    const Meaning mixed(material(kFirst + kSecond + back_to(R"(, "entry": "first")", "0.25")));
+    int turned = 0;
+    for (const ir::PixelInputs& pixel : pixels()) {
+        const dvec3 n = later.normal(pixel), d = earlier.normal(pixel);
+        if (glm::dot(n, d) < 0.2) continue;  // steep ones are limited
+        EXPECT_LT(glm::distance(mixed.normal(pixel), glm::normalize(0.75 * n + 0.25 * d / glm::dot(n, d))),
+                  1e-12);
+        turned += glm::distance(n, d) > 1e-3;
+    }
+    EXPECT_GT(turned, 100);
+}
+
+// A plane of z, whose map is `length` units wide. The height 1 counts `strength` texels, or units.
+TEST(EqualMaterials, SlopesDoNotSeeTilingNorSize) {
+    const Ramp ramp;
+    for (const std::string method : {"forward", "hq"}) {
+        for (const double tiling : {1.0, 3.0}) {
+            for (const double length : {1.0, 7.0}) {
+                ir::PixelInputs pixel;
+                pixel.dpdx = {0.001, 0, 0}, pixel.dpdy = {0, -0.001, 0};
+                pixel.uvs[0] = {{0.5, 0.5}, {0.001 / length, 0}, {0, 0.001 / length}};
+                auto slope = [&](const std::string& scale) {
+                    const Meaning meaning(
+                        material(
+                            R"({ "layers": [ { "kind": "height_map", "texture": "h", "strength": 2, "method": ")" +
+                            method + R"(", "tiling": )" + std::to_string(tiling) + R"(, "scale": ")" + scale +
+                            R"(" } ] })"),
+                        &ramp);
+                    const dvec3 n = meaning.normal(pixel);
+                    EXPECT_NEAR(n.y, 0, 1e-9);
+                    return -n.x / n.z;
+                };
+                EXPECT_NEAR(slope("slope"), 2 * Ramp::kRise, 1e-9) << method << tiling << length;
+                EXPECT_NEAR(slope("displacement"), 2 * Ramp::kRise * Ramp::kSide * tiling / length, 1e-9)
+                    << method << tiling << length;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sg::oracle
