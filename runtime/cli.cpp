@@ -187,6 +187,11 @@ void add_options(CLI::App& app, Arguments& out, Texts& texts) {
         ->capture_default_str();
     app.add_option("--texture-root", out.texture_root,
                    "the folder of the textures (default: the input's folder)");
+    app.add_option(
+           "--numbers", out.numbers,
+           "of a material: compile its numbers into the shader (baked) or into the block (uniforms), as "
+           "surfgradc does")
+        ->check(CLI::IsMember({"baked", "uniforms"}));
     app.add_option("--dump-inputs", out.dump_inputs, "write every debug view as a layer of this .exr");
     app.add_option("--device", out.device, "part of the device's name (default: a GPU, else the CPU device)");
     app.add_flag("--validate", out.validate, "fail on any message of the Vulkan validation layers");

@@ -41,6 +41,7 @@ struct Arguments {
     double exposure = 0;                // stops
     std::string device;
     std::optional<std::filesystem::path> texture_root;
+    std::string numbers;  // surfgradc's --numbers; "" where it was not given
     bool validate = false;
     bool list_devices = false;
 

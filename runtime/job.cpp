@@ -46,11 +46,19 @@ int exit_code(const Diags& diags) {
     return command_line ? kCommandLineWrong : diags.exit_code();
 }
 
-std::optional<Located> locate(const std::filesystem::path& input,
-                              const std::optional<std::filesystem::path>& texture_root,
+std::optional<Located> locate(const std::filesystem::path& input, const Arguments& arguments,
                               const std::string& emit, Files& files, int& code, Diags& diags) {
     auto material = is_material(files, input, diags);
-    if (material && !*material) return Located{input, std::nullopt};
+    const bool artefact = material && !*material;
+    const bool asked = !arguments.numbers.empty() && input == arguments.input;
+    if (artefact && !asked) return Located{input, std::nullopt};
+    if (artefact) {
+        diags.error(
+            Code::bad_argument,
+            fmt::format("--numbers: expected a material, '{}' is an artefact that was compiled before",
+                        printable(input.string())));
+        material.reset();
+    }
     code = exit_code(diags);
     if (!material) return std::nullopt;
     auto folder = TemporaryFolder::create(diags);
@@ -58,7 +66,8 @@ std::optional<Located> locate(const std::filesystem::path& input,
     if (!folder) return std::nullopt;
     std::vector<std::string> options;
     if (!emit.empty()) options.insert(options.end(), {"--emit", emit});
-    if (texture_root) options.insert(options.end(), {"-I", texture_root->string()});
+    if (arguments.texture_root) options.insert(options.end(), {"-I", arguments.texture_root->string()});
+    if (!arguments.numbers.empty()) options.insert(options.end(), {"--numbers", arguments.numbers});
     const auto ended = compile_material(compiler_beside_us(), input, folder->path(), diags, options);
     code = ended ? *ended : exit_code(diags);
     if (code != 0) return std::nullopt;

@@ -13,10 +13,9 @@ struct Located {
     std::filesystem::path manifest;
     std::optional<TemporaryFolder> folder;
 };
-// Empty: `code` is what to leave with. emit: what else surfgradc is to write of a material (--emit), or "";
-// texture_root: a further folder that it looks for files in.
-std::optional<Located> locate(const std::filesystem::path& input,
-                              const std::optional<std::filesystem::path>& texture_root,
+// Empty: `code` is what to leave with. emit: what else surfgradc is to write of a material (--emit), or "".
+// Of the arguments surfgradc gets the texture root, a further folder to look for files in, and --numbers.
+std::optional<Located> locate(const std::filesystem::path& input, const Arguments& arguments,
                               const std::string& emit, Files& files, int& code, Diags& diags);
 
 struct Job {

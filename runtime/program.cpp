@@ -52,7 +52,7 @@ int run_program(const Arguments& arguments, Diags& diags) {
     if (!arguments.compare.empty()) return proof::run_compare(arguments, files, diags);
     if (arguments.view == "error") return proof::run_error_view(arguments, files, diags);
     int code = 0;
-    const auto located = locate(arguments.input, arguments.texture_root, "", files, code, diags);
+    const auto located = locate(arguments.input, arguments, "", files, code, diags);
     if (!located) return code;
     const std::filesystem::path root = arguments.texture_root.value_or(arguments.input.parent_path());
     const std::string_view view = arguments.output.empty() ? "" : std::string_view(arguments.view);

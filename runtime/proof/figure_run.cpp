@@ -40,7 +40,7 @@ struct Compiled {
 std::optional<Compiled> compile(const Arguments& arguments, std::string_view view, Files& files,
                                 Diags& diags) {
     int code = 0;
-    auto located = runtime::locate(arguments.input, arguments.texture_root, "ir,glsl", files, code, diags);
+    auto located = runtime::locate(arguments.input, arguments, "ir,glsl", files, code, diags);
     if (!located) {
         if (!diags.has_errors())
             diags.error(Code::claim_failed,

@@ -153,7 +153,7 @@ std::optional<Picture> read_picture(const std::filesystem::path& path, Files& fi
 
 std::optional<Picture> draw_normals(const Arguments& arguments, const std::filesystem::path& input,
                                     Files& files, int& code, Diags& diags) {
-    const auto located = runtime::locate(input, arguments.texture_root, "", files, code, diags);
+    const auto located = runtime::locate(input, arguments, "", files, code, diags);
     if (!located) return std::nullopt;
     const std::filesystem::path root = arguments.texture_root.value_or(input.parent_path());
     const auto job = runtime::prepare(arguments, located->manifest, root, "normal", files, diags);
@@ -260,7 +260,7 @@ std::optional<Angles> error_angles(runtime::gpu::Device& device, const Job& job,
 
 int run_error_view(const Arguments& arguments, Files& files, Diags& diags) {
     int code = 0;
-    const auto located = runtime::locate(arguments.input, arguments.texture_root, "ir", files, code, diags);
+    const auto located = runtime::locate(arguments.input, arguments, "ir", files, code, diags);
     if (!located) return code;
     const std::filesystem::path root = arguments.texture_root.value_or(arguments.input.parent_path());
     const auto job = runtime::prepare(arguments, located->manifest, root, "normal", files, diags);

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -179,6 +180,42 @@ TEST_F(Program, DumpsEveryInputAsALayer) {
 TEST_F(Program, AMaterialIsCompiledFirst) {
     expect("'" SG_SOURCE_DIR "/materials/normal_map.json' -o a.png --size 32 --validate", 0, "");
     EXPECT_EQ(read("a.png").width, 32u);
+}
+
+// A material whose numbers the host hands over is the same picture.
+TEST_F(Program, NumbersAreBakedOrUniforms) {
+    for (const std::string name : {"mossy_rock", "layered"}) {
+        const std::string draw = "'" SG_SOURCE_DIR "/materials/" + name + ".json' --size 96 ";
+        expect(draw + "-o baked.png --numbers baked", 0, "");
+        expect(draw + "-o uniforms.png --numbers uniforms", 0, "");
+        expect(draw + "-o default.png", 0, "");
+        const std::string baked = files_.read(folder_ / "baked.png").bytes;
+        EXPECT_TRUE(baked == files_.read(folder_ / "uniforms.png").bytes) << name;
+        EXPECT_TRUE(baked == files_.read(folder_ / "default.png").bytes) << name;
+    }
+    expect("sample.json -o a.png --numbers uniforms", 2,
+           "error: --numbers: expected a material, 'sample.json' is an artefact that was compiled before "
+           "[SG2105]\n");
+    EXPECT_EQ(run("sample.json -o a.png --numbers lifted").exit_code, 2);
+}
+
+// A program in surfgradc's place writes down what it is asked for.
+TEST_F(Program, NumbersArePassedOn) {
+    namespace fs = std::filesystem;
+    fs::create_directory(folder_ / "bin");
+    fs::copy_file(SG_BINARY_DIR "/surfgrad-render", folder_ / "bin/surfgrad-render");
+    std::ofstream(folder_ / "bin/surfgradc")
+        << "#!/bin/sh\necho \"$*\" > '" << (folder_ / "asked").string() << "'\nexit 1\n";
+    fs::permissions(folder_ / "bin/surfgradc", fs::perms::owner_all);
+    ASSERT_EQ(files_.write_all({{folder_ / "m.json", "{ \"version\": 1 }"}}), "");
+    auto asked = [&](const std::string& options) {
+        const std::string command =
+            "cd '" + folder_.string() + "' && bin/surfgrad-render m.json -o a.png " + options;
+        EXPECT_NE(std::system(command.c_str()), 0);
+        return files_.read(folder_ / "asked").bytes;
+    };
+    EXPECT_TRUE(asked("--numbers uniforms").ends_with(" --numbers uniforms\n"));
+    EXPECT_EQ(asked("").find("--numbers"), std::string::npos);
 }
 
 TEST_F(Program, TheCompilersMessagesAndExitCodeArePassedOn) {
