@@ -404,6 +404,7 @@ Rows gradients_rows() {
             [](const Call&) -> dvec3 { SG_UNREACHABLE("a user's GLSL has no reference"); }},
         // normals
         Row{Op::resolve, ref::resolve},
+        Row{Op::resolve_vertex_map, ref::resolve_vertex_map},
         Row{Op::flip, ref::flip},
     };
 }

@@ -135,6 +135,55 @@ ValueId one_projection(Rewriter& rewriter, const Value& value) {
     return {};
 }
 
+// ---- one map on vertex tangents ----
+
+ValueId number(Rewriter& rewriter, ir::Type type, std::array<double, 4> n, const Value& like) {
+    return rewriter.add(
+        Value{.op = Op::constant, .type = type, .number = {n[0], n[1], n[2], n[3]}, .layer = like.layer});
+}
+
+// (s, s), or (s, -s) for green up.
+ValueId along_s_and_t(Rewriter& rewriter, ValueId strength, bool green_up, const Value& like) {
+    const Value known = rewriter.at(strength);
+    if (known.op == Op::constant) {
+        const double s = known.number[0];
+        return number(rewriter, ir::Type::Vec2, {s, green_up ? -s : s}, like);
+    }
+    auto add = [&](Op op, ir::Type type, std::vector<ValueId> operands) {
+        return rewriter.add(Value{.op = op,
+                                  .type = type,
+                                  .operands = std::move(operands),
+                                  .name = "strength",
+                                  .layer = like.layer});
+    };
+    if (!green_up) return add(Op::splat, ir::Type::Vec2, {strength});
+    const ValueId turned = number(rewriter, ir::Type::Scalar, {-1.0}, like);
+    return add(Op::pair, ir::Type::Vec2, {strength, add(Op::multiply, ir::Type::Scalar, {turned, strength})});
+}
+
+ValueId one_vertex_map(Rewriter& rewriter, const Value& value) {
+    const Value* projected = rewriter.operand(value, 1, Op::surfgrad_from_tbn);
+    const Value* basis = projected ? rewriter.operand(*projected, 1, Op::basis_vertex) : nullptr;
+    if (!basis) return {};
+    const Value like = unnamed(*projected);
+    const ValueId vertex_normal = basis->operands[0], tangent = basis->operands[1];
+    const Value* mirrored = rewriter.operand(value, 0, Op::mirror_normal);
+    const Value* base = rewriter.operand(mirrored ? *mirrored : value, 0, Op::base_normal);
+    if (!base || base->operands[0] != vertex_normal) return {};
+    const Value* deriv = &rewriter.at(projected->operands[0]);
+    ValueId strength, facing = mirrored ? mirrored->operands[1] : ValueId{};
+    if (deriv->op == Op::scale_deriv) strength = deriv->operands[0], deriv = &rewriter.at(deriv->operands[1]);
+    const bool green_up = deriv->op == Op::deriv_green_up;
+    if (green_up) deriv = &rewriter.at(deriv->operands[0]);
+    if (deriv->op != Op::deriv_from_normal_xyz) return {};
+    const ValueId m = deriv->operands[0];
+    // Adding values moves those that were looked at.
+    if (!strength.valid()) strength = number(rewriter, ir::Type::Scalar, {1.0}, like);
+    if (!facing.valid()) facing = number(rewriter, ir::Type::Scalar, {1.0}, value);
+    const ValueId both = along_s_and_t(rewriter, strength, green_up, like);
+    return rewriter.add(Op::resolve_vertex_map, {vertex_normal, tangent, facing, m, both}, value);
+}
+
 // ---- masks and mixes ----
 
 ValueId trivial_mask(Rewriter& rewriter, const Value& value) {
@@ -228,6 +277,12 @@ std::span<const Rule> all_rules() {
          scale_before_projection},
         {"add_nothing", "g + 0 = g", {add_surfgrad}, add_nothing},
         {"resolve_nothing", "normalize(n - 0) = n, for n is unit", {resolve}, resolve_nothing},
+        {"one_vertex_map",
+         "normalize(n - g) of one map on vertex tangents is normalize(m.x T + m.y B + m.z N): lengths need "
+         "not be "
+         "divided out first",
+         {resolve},
+         one_vertex_map},
         {"positive_tiling_shares_basis",
          "T and B are unit vectors along +s and +t: positive tiling keeps both",
          {basis_uv},

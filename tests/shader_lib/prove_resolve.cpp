@@ -13,6 +13,71 @@ void draw_normal_and_gradient(Random& random, Draw& in) {
     in.put(3, tangent_of(random, n) * random.magnitude(1e-4, 1e6));
 }
 
+// Interpolated normal and tangent, side, map and strengths.
+void draw_vertex_map(Random& random, Draw& in) {
+    const glm::dvec3 n = random.direction();
+    in.put(0, n * random.uniform(0.3, 1.0));
+    in.put(3, (tangent_of(random, n) + 0.3 * random.direction()) * random.uniform(0.3, 1.0));
+    in.put(6, random.sign()), in.put(7, random.sign());
+    glm::dvec3 m = random.direction();
+    if (random.below(4) == 0) m.z *= random.magnitude(1e-4, 1.0);
+    in.put(8, m * random.magnitude(0.1, 1.0));
+    in.put(11, glm::dvec2(random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0)));
+}
+
+const char* const kVertexMap = "put(0, sg_resolve_vertex_map(v3(0), v4(3), f(7), v3(8), v2(11)));";
+
+Case vertex_map() {
+    return {
+        .name = "resolve_vertex_map",
+        .include = kFile,
+        .inputs = 13,
+        .outputs = 3,
+        .glsl = kVertexMap,
+        .draw = draw_vertex_map,
+        .reference =
+            [](const In& in, Expect& out) {
+                out.put(0, ref::resolve_vertex_map(in.v3(0), in.v4(3), in[7], in.v3(8), in.v2(11)));
+            },
+        // The clamp (2), three products (3 each, a cross product in one), two sums (2), a normalisation (6).
+        .bound = {.absolute = 36 * kUlp},
+        .condition =
+            [](const In& in) {  // what the three terms are longer than their sum
+                const glm::dvec3 n = in.v3(0), t = in.v3(3), b = glm::cross(n, t), m = in.v3(8);
+                const double z = std::max(std::abs(m.z), std::max(std::abs(m.x), std::abs(m.y)) / 128.0);
+                const glm::dvec2 lean = in.v2(11) * glm::dvec2(m);
+                const glm::dvec3 sum = in[7] * z * n + lean.x * t + (in[6] < 0.0 ? -lean.y : lean.y) * b;
+                return (z * glm::length(n) + std::abs(lean.x) * glm::length(t) +
+                        2.0 * std::abs(lean.y) * glm::length(n) * glm::length(t)) /
+                       glm::length(sum);
+            },
+        .property = unit,
+        .mutants = {{kFile, "max(magnitude.x, magnitude.y) / SG_MAX_SLOPE", "0.0"},
+                    {kFile, "z * n +", "n +"}}};
+}
+
+// Not-a-number stays with its texel; no texel at all is flat.
+Case vertex_map_any_texel() {
+    Case item = vertex_map();
+    item.name = "resolve_vertex_map_any_texel";
+    item.draw = [](Random& random, Draw& in) {
+        draw_vertex_map(random, in);
+        for (std::size_t k = 8; k < 11; ++k) in.put(k, random.coin() ? random.wild() : 0.0f);
+    };
+    item.reference = {};
+    item.condition = {};
+    item.property = [](const In& in, const In& out) -> std::string {
+        const glm::dvec3 n = in[7] * in.v3(0);
+        if (glm::length(out.v3(0) - n) < 1e-6) return "";
+        if (!is_unit(out.v3(0))) return "neither unit nor the normal";
+        return in.v3(8) == glm::dvec3(0.0) && !(glm::dot(out.v3(0), glm::normalize(n)) > 1.0 - 1e-6)
+                   ? "not flat"
+                   : "";
+    };
+    item.mutants = {{kFile, "bool number = square < 1e38;", "bool number = true;"}};
+    return item;
+}
+
 std::vector<Case> cases() {
     return {
         {.name = "resolve",
@@ -25,7 +90,7 @@ std::vector<Case> cases() {
          // The difference (1), then as for any normalisation (5).
          .bound = {.absolute = 12 * kUlp},
          .property = unit_and_outward,
-         .mutants = {{kFile, "bumped * inversesqrt(square)", "bumped"}}},
+         .mutants = {{kFile, "vec3 bumped = n - g;", "vec3 bumped = 0.5 * n - g;"}}},
         {.name = "resolve_any_input",
          .include = kFile,
          .inputs = 6,
@@ -34,8 +99,10 @@ std::vector<Case> cases() {
          .draw = draw_normal_then_wild,
          .property = unit,
          // Listing 1 itself.
-         .mutants = {{kFile, "return square > 1e-30 && square < 1e38 ? bumped * inversesqrt(square) : n;",
-                      "return normalize(n - g);"}}},
+         .mutants = {{kFile, "vec3 bumped = n - g;",
+                      "if (true) return normalize(n - g); vec3 bumped = n - g;"}}},
+        vertex_map(),
+        vertex_map_any_texel(),
         {.name = "flip",
          .include = kFile,
          .inputs = 4,

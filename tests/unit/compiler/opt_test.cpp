@@ -102,6 +102,12 @@ const RuleCase kCases[] = {
      "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
     {"resolve_nothing", "%8 = zero_surfgrad : SurfGrad\n%9 = resolve %1 %8 : Normal\noutput normal = %9\n",
      "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n"},
+    {"one_vertex_map",
+     "%8 = constant 2 : Scalar\n%9 = deriv_green_up %7 : Deriv\n%10 = scale_deriv %8 %9 : Deriv\n%11 = "
+     "surfgrad_from_tbn %10 %3 : "
+     "SurfGrad\n%12 = resolve %1 %11 : Normal\noutput normal = %12\n",
+     "%5 = constant 1 : Scalar\n%6 = constant 2 -2 : Vec2\n%7 = resolve_vertex_map %0 %1 %5 %4 %6 : "
+     "Normal\noutput normal = %7\n"},
     {"positive_tiling_shares_basis",
      "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = constant 2 3 : Vec2\n%11 = uv_scale %4 "
      "%10 : Uv\n"
