@@ -220,7 +220,9 @@ bool Body::wants_name(std::size_t i, const std::string& expression) const {
     const Value& value = module_.values[i];
     if (is_trivial(value)) return false;
     // Derivatives are taken where they stand, not where they are used behind parallax.
-    if (looks_along_ray_ && ir::takes_screen_derivatives(value.op)) return true;
+    // Nor behind an alpha test, which ends the neighbours.
+    const bool ends = module_.output(ir::Output::cutoff).valid();
+    if ((looks_along_ray_ || ends) && ir::takes_screen_derivatives(value.op)) return true;
     return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame ||
            expression.size() > kLongExpression;
 }

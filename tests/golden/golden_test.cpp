@@ -54,7 +54,7 @@ std::string without_shader_hashes(const std::string& manifest) {
 // A read of a texture that a text has twice, or "".
 std::string read_twice(const std::string& glsl) {
     std::set<std::string> seen;
-    for (std::size_t at = glsl.find("sg_sample("); at != glsl.npos; at = glsl.find("sg_sample(", at + 1)) {
+    for (std::size_t at = glsl.find("_sample("); at != glsl.npos; at = glsl.find("_sample(", at + 1)) {
         std::size_t end = glsl.find('(', at) + 1;
         for (int open = 1; open > 0 && end < glsl.size(); ++end)
             open += glsl[end] == '(' ? 1 : glsl[end] == ')' ? -1 : 0;
@@ -89,6 +89,18 @@ TEST_P(Sample, EveryShaderIsValidAtEveryLevel) {
             ++shaders;
         }
         EXPECT_EQ(shaders, 2 * emit::all_entry_points().size());
+    }
+}
+
+// An alpha test ends some of the pixels between which derivatives are taken.
+TEST_P(Sample, NoDerivativeInstructionStandsBehindAnAlphaTest) {
+    for (const NamedText& t : compile(GetParam()).glsl) {
+        const std::size_t discarded = t.text.find("discard;");
+        if (discarded == t.text.npos) continue;
+        for (const char* call : {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(", "sg_stage_normal_derivatives("}) {
+            const std::size_t last = t.text.rfind(call);
+            EXPECT_TRUE(last == t.text.npos || last < discarded) << t.name << ": " << call;
+        }
     }
 }
 
