@@ -87,34 +87,33 @@ SgDecal sg_decal_sphere(mat4 projector, vec3 position, vec3 dpdx, vec3 dpdy) {
 
 // The part of a decal's strength at a distance from the middle of its shape.
 //   reach: 0 in the middle, 1 on the surface of the shape; edge: 0..1, the share over which it fades.
-// Result: 0..1, smooth, 0 from the surface outward and for NaN. Cost: 9 instructions. Source: section 4.5, note 2.
+// Result: 0..1, smooth, 0 from the surface outward. Cost: 7 instructions. Source: section 4.5, note 2.
 float sg_decal_fade(float reach, float edge) {
     float t = clamp((1.0 - reach) / max(edge, 1e-6), 0.0, 1.0);
-    return reach < 1.0 ? t * t * (3.0 - 2.0 * t) : 0.0;
+    return t * t * (3.0 - 2.0 * t);
 }
 
-// The strengths of the shapes in projector space. local: of SgDecal; edge: 0..1.
-// Result of each: 0..1, 0 outside the shape and for NaN. Cost: 17 instructions. Source: section 4.5, note 2.
+// The strengths of the shapes in projector space. local: of SgDecal, numbers; edge: 0..1.
+// Result of each: 0..1, 0 outside the shape. Cost: 9 instructions. Source: section 4.5, note 2.
 float sg_decal_falloff_box(vec3 local, float edge) {
     vec3 size = abs(local);
-    bool inside = size.x < 1.0 && size.y < 1.0 && size.z < 1.0;
-    return inside ? sg_decal_fade(max(max(size.x, size.y), size.z), edge) : 0.0;
+    return sg_decal_fade(max(max(size.x, size.y), size.z), edge);
 }
-// As above; 0 at and behind the apex. Cost: 20 instructions. Source: section 4.5, note 2.
+// As above; 0 at and behind the apex. Cost: 21 instructions. Source: section 4.5, note 2.
 float sg_decal_falloff_cone(vec3 local, float edge) {
     bool before = local.z > 1e-6;
     float side = before ? length(local.xy) / local.z : 1.0;
     return side < 1.0 ? sg_decal_fade(max(side, local.z), edge) : 0.0;
 }
-// As above; 1 in the centre. Cost: 14 instructions. Source: section 4.5, note 2.
+// As above; 1 in the centre. Cost: 12 instructions. Source: section 4.5, note 2.
 float sg_decal_falloff_sphere(vec3 local, float edge) { return sg_decal_fade(length(local), edge); }
-// As above; half_length: of the capsule's axis, >= 0, in projector space. Cost: 17 instructions.
+// As above; half_length: of the capsule's axis, >= 0, in projector space. Cost: 15 instructions.
 // Source: section 4.5, note 2.
 float sg_decal_falloff_capsule(vec3 local, float half_length, float edge) {
     float beyond = abs(local.z) < half_length ? 0.0 : abs(local.z) - half_length;
     return sg_decal_fade(length(vec3(local.xy, beyond)), edge);
 }
-// As above; 0 at and behind the edge. Cost: 19 instructions. Source: section 4.5, note 2.
+// As above; 0 at and behind the edge. Cost: 20 instructions. Source: section 4.5, note 2.
 float sg_decal_falloff_wedge(vec3 local, float edge) {
     bool before = local.z > 1e-6;
     float side = before ? abs(local.x) / local.z : 1.0;
@@ -145,12 +144,10 @@ vec3 sg_decal_gradient_scaled(vec2 d, SgDecal decal, vec2 dim, float height) {
 // The volume gradient of a decal's bump with a strength that does not depend on the projector's size ("TBN style").
 //   d: derivative of the image, green down; decal: of the lookup.
 // Result: shading space; linear in d; d along unit directions; 0 where the decal has no gradient.
-// Cost: 31 instructions. Source: Listing 15.
+// Cost: 22 instructions. Source: Listing 15.
 vec3 sg_decal_gradient(vec2 d, SgDecal decal) {
-    float square_s = dot(decal.grad_s, decal.grad_s), square_t = dot(decal.grad_t, decal.grad_t);
-    vec3 axis_s = square_s > 1e-30 ? decal.grad_s * inversesqrt(square_s) : vec3(0.0);
-    vec3 axis_t = square_t > 1e-30 ? decal.grad_t * inversesqrt(square_t) : vec3(0.0);
-    return d.x * axis_s + d.y * axis_t;
+    vec2 per_unit = d * inversesqrt(max(vec2(dot(decal.grad_s, decal.grad_s), dot(decal.grad_t, decal.grad_t)), 1e-30));
+    return per_unit.x * decal.grad_s + per_unit.y * decal.grad_t;
 }
 
 // One more decal on top of a sum of volume gradients: both bumps show.

@@ -31,6 +31,15 @@ SgFrame sg_frame(vec3 position, vec3 dpdx, vec3 dpdy, vec3 n) {
     return SgFrame(position, n, dpdx, dpdy, sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp);
 }
 
+// One over the signed area of the tangent plane that a pixel covers.
+//   frame: dpdx and dpdy before displacement. Result: 1 / dot(n, cross(dpdx, dpdy)); 0 where the pixel's footprint has
+//   no area (|area| <= 1e-5 |dpdx||dpdy|). Cost: 25 instructions. Source: Listing 6.
+float sg_frame_inverse_area(SgFrame frame) {
+    float area = dot(frame.normal, cross(frame.dpdx, frame.dpdy));
+    float largest = sqrt(dot(frame.dpdx, frame.dpdx) * dot(frame.dpdy, frame.dpdy));
+    return abs(area) > 1e-5 * largest ? 1.0 / area : 0.0;
+}
+
 // The frame for bump mapping on top of a resolved normal, where the surface did not move (no parallax).
 //   frame: of the surface that was resolved; n: the resolved normal, unit.
 // Result: a new frame with the same position, dpdx, dpdy and geometric flip_sign; sigma is perpendicular to n.

@@ -9,13 +9,11 @@ const float SG_MAX_VOLUME_GRADIENT = 16384.0;
 
 // The surface gradient of a volume bump: the gradient's projection onto the tangent plane.
 //   n: unit base normal; gradient: of the height, shading space, world units of height per world unit.
-// Result: perpendicular to n; linear up to a length of 16384 (89.997 degrees), which longer gradients are cut to; 0 for a
-// gradient along n. Cost: 19 instructions. Source: Listing 8.
+// Result: perpendicular to n; linear up to components of 16384 (89.997 degrees), which the largest is cut to; 0 for a
+// gradient along n. Cost: 14 instructions. Source: Listing 8.
 vec3 sg_surfgrad_from_volume(vec3 n, vec3 gradient) {
-    float square = dot(gradient, gradient);
-    bool modest = square <= SG_MAX_VOLUME_GRADIENT * SG_MAX_VOLUME_GRADIENT;
-    vec3 cut = modest ? gradient : SG_MAX_VOLUME_GRADIENT * inversesqrt(square) * gradient;
-    return sg_reject(cut, n);
+    float largest = max(max(abs(gradient.x), abs(gradient.y)), max(abs(gradient.z), SG_MAX_VOLUME_GRADIENT));
+    return sg_reject(SG_MAX_VOLUME_GRADIENT / largest * gradient, n);
 }
 
 #endif

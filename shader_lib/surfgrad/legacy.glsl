@@ -9,13 +9,13 @@
 
 // Perlin's perturbation: the whole volume gradient is taken from the normal, also the part along it.
 //   n: unit; gradient: shading space. Result: unit, n where nothing is left; may point inward: the black spots of
-//   Figure 4. Cost: 17 instructions. Source: Perlin 1985, with the sign that raises bumps.
+//   Figure 4. Cost: 16 instructions. Source: Perlin 1985, with the sign that raises bumps.
 vec3 sg_legacy_perlin_normal(vec3 n, vec3 gradient) { return sg_resolve(n, gradient); }
 
 // Geiss' triplanar normal: the x and y of tangent-space normals instead of derivatives, and Perlin's perturbation.
 //   n: unit; weights: of sg_triplanar_weights; m_x, m_y, m_z: tangent-space normals of the planes, green down; hand,
 //   origin: as in the lookup. Result: unit; slopes end at 45 degrees: the flat hemispheres of Figure 5.
-//   Cost: 29 instructions. Source: Geiss 2007; Figure 5, left.
+//   Cost: 28 instructions. Source: Geiss 2007; Figure 5, left.
 vec3 sg_legacy_triplanar_normal(vec3 n, vec3 weights, vec3 m_x, vec3 m_y, vec3 m_z, float hand, float origin) {
     return sg_legacy_perlin_normal(n, sg_triplanar_gradient(weights, -m_x.xy, -m_y.xy, -m_z.xy, hand, origin));
 }
@@ -24,7 +24,7 @@ vec3 sg_legacy_triplanar_normal(vec3 n, vec3 weights, vec3 m_x, vec3 m_y, vec3 m
 //   n: unit normal of the surface; axis_s, axis_t: unit, towards +s and +t; towards: unit, to the projector; d:
 //   derivative, green down; alpha: 0..1. Result: unit, n for alpha = 0; ignores the surface for alpha = 1 (Figure 6,
 //   middle).
-//   Cost: 47 instructions. Source: section 4.5.
+//   Cost: 45 instructions. Source: section 4.5.
 vec3 sg_legacy_decal_normal(vec3 n, vec3 axis_s, vec3 axis_t, vec3 towards, vec2 d, float alpha) {
     vec3 projected = sg_resolve(towards, d.x * axis_s + d.y * axis_t);
     return sg_resolve(n, alpha * (n - projected));

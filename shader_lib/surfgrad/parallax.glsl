@@ -22,13 +22,10 @@ struct SgParallax {
 //   frame: of the mesh; uv: its coordinate; direction: shading space, any length (towards the viewer: unit).
 // Result: xy: change of st along the direction's part in the plane of (dpdx, dpdy); z: its part along n. Linear in
 // direction; true to sheared and stretched coordinates. Edge-on, where dpdx and dpdy span no area, xy = 0.
-// Cost: 51 instructions. Source: Listing 11.
+// Cost: 50 instructions. Source: Listing 11.
 vec3 sg_parallax_direction(SgFrame frame, SgUv uv, vec3 direction) {
-    vec3 r1 = cross(frame.dpdy, frame.normal);
-    vec3 r2 = cross(frame.normal, frame.dpdx);
-    float det = dot(frame.dpdx, r1);
-    bool usable = abs(det) > 1e-6 * sqrt(dot(frame.dpdx, frame.dpdx) * dot(frame.dpdy, frame.dpdy));
-    vec2 screen = usable ? vec2(dot(r1, direction), dot(r2, direction)) / det : vec2(0.0);
+    vec3 level = cross(frame.normal, direction);
+    vec2 screen = sg_frame_inverse_area(frame) * vec2(dot(frame.dpdy, level), -dot(frame.dpdx, level));
     return vec3(uv.dx * screen.x + uv.dy * screen.y, dot(frame.normal, direction));
 }
 
@@ -72,7 +69,7 @@ float sg_parallax_height(texture2D map, sampler filtering, vec2 heights, vec2 st
 // Result: offset of st and height of the hit, refined linearly between the last two steps; a view at or below the
 // horizon counts as SG_PARALLAX_MIN_COSINE above it; without a hit (NaN texels) the bottom. Finite for finite
 // arguments.
-// Cost: 55 instructions, one texture read and about 8 instructions of them once per step.
+// Cost: 52 instructions, one texture read and about 8 instructions of them once per step.
 // Source: Brawley and Tatarchuk 2005; Listing 11.
 SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights, vec2 st, vec3 view, float level,
                                  int steps) {
@@ -80,12 +77,12 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
     float top = heights.y + max(heights.x, 0.0);
     float drop = abs(heights.x) / float(max(steps, 1));
     float ray = top;
-    float gap = ray - sg_parallax_height(map, filtering, heights, st + ray * per_height, level);
+    float gap = 1e30;  // before the first look: what lies above the top is taken at the top
     float gap_before = gap;
     // Written so that a height that is not a number counts as not yet reached.
-    for (int i = 0; i < steps && !(gap <= 0.0); ++i) {
+    for (int i = 0; i <= steps && !(gap <= 0.0); ++i) {
         gap_before = gap;
-        ray = top - float(i + 1) * drop;
+        ray = top - float(i) * drop;
         gap = ray - sg_parallax_height(map, filtering, heights, st + ray * per_height, level);
     }
     // The gap is taken as linear over the last step: it ends `back` of a step before ray.
@@ -132,7 +129,7 @@ SgUv sg_parallax_uv(SgUv uv, vec2 offset) { return SgUv(uv.st + offset, uv.dx, u
 // The coordinate for detail on the moved surface: any uv set, with the level of detail that the surface has there.
 //   frame, uv: of the mesh, uv of the wanted set; pixels: of sg_parallax_pixels (of the set that was marched);
 //   dpdx, dpdy: of the moved surface, analytic, its steps measured along the mesh.
-// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: 71 instructions.
+// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: 73 instructions.
 // Source: sections 3.7 and 4.6.
 SgUv sg_parallax_detail_uv(SgFrame frame, SgUv uv, vec2 pixels, vec3 dpdx, vec3 dpdy) {
     vec2 st = uv.st + pixels.x * uv.dx + pixels.y * uv.dy;

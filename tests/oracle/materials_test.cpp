@@ -88,10 +88,10 @@ std::ostream& operator<<(std::ostream& out, const ShaderMutant& m) {
 }
 
 const std::vector<ShaderMutant> kShaderMutants = {
-    {"flip_sign_is_forgotten", "surfgrad/tbn.glsl", "sign_det * frame.flip_sign * cross", "sign_det * cross",
-     "normal_map.json"},
-    {"vertex_frame_not_scaled", "surfgrad/tbn.glsl", "? inversesqrt(square) : 0.0;", "? 1.0 : 0.0;",
-     "two_unwraps.json"},
+    {"flip_sign_is_forgotten", "surfgrad/tbn.glsl", "det < 0.0 ? -frame.flip_sign : frame.flip_sign",
+     "det < 0.0 ? -1.0 : 1.0", "normal_map.json"},
+    {"vertex_frame_not_scaled", "surfgrad/tbn.glsl", "square < 1e30 ? inversesqrt(square) : 0.0;",
+     "square < 1e30 ? 1.0 : 0.0;", "two_unwraps.json"},
     {"bitangent_from_the_unit_normal", "surfgrad/tbn.glsl", "side * cross(", "side / scale * cross(",
      "two_unwraps.json"},
     {"negative_tiling_keeps_the_tangent", "surfgrad/tbn.glsl", "scale.x < 0.0 ? -basis.tangent",
@@ -101,8 +101,8 @@ const std::vector<ShaderMutant> kShaderMutants = {
     {"slope_of_xy_not_divided_by_z", "surfgrad/deriv.glsl", "return -m * inversesqrt(", "return -m * (",
      "two_unwraps.json"},
     {"zero_is_always_127_and_a_half", "surfgrad/deriv.glsl",
-     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return clamp(zero == 127.5 ? 2.0 * texel - 1.0 : "
-     "(255.0 * texel - zero) /",
+     "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return zero == 127.5 ? 2.0 * texel - 1.0 : "
+     "clamp((255.0 * texel - zero) /",
      "vec3 sg_decode_signed(vec3 texel, float zero) {\n    return clamp((255.0 * texel - 127.5) /",
      "two_unwraps.json"},
     {"resolve_adds", "surfgrad/resolve.glsl", "n - g;", "n + g;", "normal_map.json"},
@@ -136,9 +136,9 @@ const std::vector<ShaderMutant> kShaderMutants = {
     {"footprints_are_four_times_as_large", "stage/moved.glsl", "frame.dpdx * rows, frame.dpdy * rows",
      "4.0 * frame.dpdx * rows, 4.0 * frame.dpdy * rows", "parallax_dents.json"},
     {"tiling_leaves_dx", "surfgrad/uv.glsl", "uv.st * scale, uv.dx * scale,", "uv.st * scale, uv.dx,",
-     "normal_map.json", Levels::all},
+     "parallax_occlusion.json", Levels::all},
     {"reads_are_half_a_level_too_fine", "surfgrad/sample.glsl", "uv.st, uv.dx, uv.dy);",
-     "uv.st, 0.7 * uv.dx, 0.7 * uv.dy);", "two_unwraps.json", Levels::all},
+     "uv.st, 0.7 * uv.dx, 0.7 * uv.dy);", "parallax_steps.json", Levels::all},
 };
 
 class OracleNoticesShader : public testing::TestWithParam<ShaderMutant> {};

@@ -20,10 +20,10 @@ std::string within_slope(const In&, const In& out) {
 }
 
 std::vector<Case> cases() {
-    const std::string kVec2 = "vec2 texel, float zero) {\n    return clamp(";
-    const std::string kVec3 = "vec3 texel, float zero) {\n    return clamp(";
+    const std::string kVec2 = "vec2 texel, float zero) {\n    return ";
+    const std::string kVec3 = "vec3 texel, float zero) {\n    return ";
     const std::string kExact =
-        "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / min(zero, 255.0 - zero)";
+        "zero == 127.5 ? 2.0 * texel - 1.0 : clamp((255.0 * texel - zero) / min(zero, 255.0 - zero)";
     return {
         {.name = "decode_signed",
          .include = kFile,
@@ -44,9 +44,9 @@ std::vector<Case> cases() {
          // doubling.
          .bound = {.absolute = 6 * kUlp, .relative = 4 * kUlp},
          .mutants = {{kFile, kVec2 + kExact,
-                      kVec2 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero) / 127.5"},
-                     {kFile, kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - zero)",
-                      kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : (255.0 * texel - 127.5)"},
+                      kVec2 + "zero == 127.5 ? 2.0 * texel - 1.0 : clamp((255.0 * texel - zero) / 127.5"},
+                     {kFile, kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : clamp((255.0 * texel - zero)",
+                      kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0 : clamp((255.0 * texel - 127.5)"},
                      {kFile, kVec3 + "zero == 127.5 ? 2.0 * texel - 1.0",
                       kVec3 + "zero == 127.5 ? 2.0 * texel"}}},
         {.name = "deriv_from_normal_xyz",

@@ -176,8 +176,8 @@ std::vector<Case> fine_height_cases() {
          // The fade magnifies the level's error by 1 / 0.45.
          .bound = {.absolute = 2.0 * kForward.absolute + kLevelOff / 0.45 / 200.0},
          .condition = texels_from_origin,
-         .mutants = {{kFile, "(1.0 - weight) * sg_deriv", "sg_deriv"},
-                     {kFile, "+= weight * sg_deriv", "+= sg_deriv"}},
+         .mutants = {{kFile, "uv.st), weight)", "uv.st), weight * weight)"},
+                     {kFile, "mix(d, sg_deriv", "mix(0.5 * d, sg_deriv"}},
          .textures = {rough()}},
         {.name = "deriv_from_height_hq_is_continuous",
          .include = kFile,

@@ -49,8 +49,8 @@ Case direction() {
                 },
             .bound = {.absolute = 32 * kUlp},
             .condition = direction_condition,
-            .mutants = {{kFile, "cross(frame.dpdy, frame.normal)", "cross(frame.normal, frame.dpdy)"},
-                        {kFile, "cross(frame.normal, frame.dpdx)", "cross(frame.dpdx, frame.normal)"},
+            .mutants = {{kFile, "vec2(dot(frame.dpdy, level)", "vec2(-dot(frame.dpdy, level)"},
+                        {kFile, "-dot(frame.dpdx, level))", "dot(frame.dpdx, level))"},
                         {kFile, "dot(frame.normal, direction))", "-dot(frame.normal, direction))"}}};
 }
 
@@ -246,10 +246,7 @@ Case degenerate() {
             },
         .reference = [](const In&, Expect& out) { out.put(0, glm::dvec4(0.0)); },
         .bound = {},
-        .mutants = {{kFile,
-                     "bool usable = abs(det) > 1e-6 * sqrt(dot(frame.dpdx, frame.dpdx) * dot(frame.dpdy, "
-                     "frame.dpdy));",
-                     "bool usable = true;"},
+        .mutants = {{"surfgrad/frame.glsl", "abs(area) > 1e-5 * largest ? 1.0 / area : 0.0", "1.0 / area"},
                     {kFile, "bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));",
                      "bool usable = true;"}}};
 }

@@ -131,7 +131,7 @@ Case occlusion() {
                         {kFile, "view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)",
                          "-view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)"},
                         {kFile, "crossed ? gap / (gap - gap_before) : 0.0", "0.0"},
-                        {kFile, "top - float(i + 1) * drop", "top - float(i) * drop"},
+                        {kFile, "top - float(i) * drop", "top - float(i + 1) * drop"},
                         {kFile, "filtering), st, level).x", "filtering), st, 0.0).x"}},
             .textures = {hills(true)}};
 }

@@ -152,7 +152,7 @@ std::vector<Case> noise_cases() {
                                 static_cast<unsigned>(in[3]), in.v3(0)));
              },
          .bound = {.absolute = 4 * kUlp},  // the sum of two numbers below 1; the third product is 0
-         .mutants = {{kNoise, "2u * (hash & 15u)", "2u * (hash & 7u)"}}},
+         .mutants = {{kNoise, "2u * hash & 31u", "2u * hash & 15u"}}},
         {.name = "octave_weight",
          .include = kNoise,
          .inputs = 1,

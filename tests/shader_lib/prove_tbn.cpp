@@ -68,8 +68,8 @@ std::vector<Case> made_basis_cases() {
          .bound = {.absolute = 36 * kUlp},
          .condition = cancellation,
          .property = orthonormal_and_towards_growth,
-         .mutants = {{kFile, "sign_det * frame.flip_sign * cross", "frame.flip_sign * cross"},
-                     {kFile, "vec3 step_s = sign_det * (", "vec3 step_s = ("}}},
+         .mutants = {{kFile, "det < 0.0 ? -frame.flip_sign : frame.flip_sign", "frame.flip_sign"},
+                     {kFile, "det < 0.0 ? -scale : scale", "scale"}}},
     };
 }
 

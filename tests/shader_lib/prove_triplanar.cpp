@@ -66,24 +66,23 @@ Case weights() {
         .condition = weight_condition,
         .property = shares,
         .mutants = {{kFile, "abs(n) - 0.2", "abs(n) - 0.1"},
-                    {kFile, "pow(ratio.y, k)", "pow(ratio.y, k + 1.0)"},
+                    {kFile, "max(k, 1e-9)", "k + 1.0"},
                     {kFile, "vec3 ratio = facing / max(max(facing.x, facing.y), max(facing.z, 1e-30));",
                      "vec3 ratio = facing;"},
-                    {kFile, "w / sum", "w"}}};
+                    {kFile, "w / (w.x + w.y + w.z)", "w"}}};
 }
 
-// Anything as a normal still gives shares.
+// Any vector as a normal still gives shares.
 Case wild_weights() {
     Case item = weights();
     item.name = "triplanar_weights_any_input";
     item.draw = [](Random& random, Draw& in) {
-        for (std::size_t k = 0; k < 3; ++k) in.put(k, random.wild());
+        for (std::size_t k = 0; k < 3; ++k) in.put(k, random.wild_number());
         in.put(3, random.coin() ? random.below(5) : random.magnitude(1e-3, 1e6));
     };
     item.reference = {};
     item.condition = {};
-    item.mutants = {{kFile, "sum > 0.0 ? w / sum : vec3(0.0, 0.0, 1.0)", "w / sum"},
-                    {kFile, "ratio.x > 0.0 ? pow(ratio.x, k) : 0.0", "pow(abs(ratio.x), k)"}};
+    item.mutants = {{kFile, "w.z = max(w.z, 1e-30);", ""}, {kFile, "max(abs(n) - 0.2, 0.0)", "abs(n) - 0.2"}};
     return item;
 }
 

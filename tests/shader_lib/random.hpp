@@ -60,6 +60,12 @@ public:
         return static_cast<float>(sign() * magnitude(1e-30, 1e30));
     }
 
+    // The same, numbers alone.
+    float wild_number() {
+        for (;;)
+            if (const float x = wild(); std::isfinite(x)) return x;
+    }
+
 private:
     std::mt19937_64 engine_;
 };

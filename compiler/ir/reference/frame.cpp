@@ -20,6 +20,12 @@ Frame frame(dvec3 position, dvec3 dpdx, dvec3 dpdy, dvec3 n) {
     return {position, n, dpdx, dpdy, reject(dpdx, n), reject(dpdy, n), volume < 0.0 ? -1.0 : 1.0};
 }
 
+double frame_inverse_area(const Frame& frame) {
+    const double area = glm::determinant(dmat3(frame.dpdx, frame.dpdy, frame.normal));
+    const bool spanned = std::abs(area) > 1e-5 * glm::length(frame.dpdx) * glm::length(frame.dpdy);
+    return spanned ? 1.0 / area : 0.0;
+}
+
 Frame frame_resolved(const Frame& before, dvec3 n) {
     Frame after = frame(before.position, before.dpdx, before.dpdy, n);
     after.flip_sign = before.flip_sign;

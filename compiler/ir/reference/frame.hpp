@@ -12,6 +12,8 @@ struct Frame {
 
 dvec3 reject(dvec3 v, dvec3 n);
 Frame frame(dvec3 position, dvec3 dpdx, dvec3 dpdy, dvec3 n);
+// Zero where the footprint has no area.
+double frame_inverse_area(const Frame& frame);
 Frame frame_resolved(const Frame& frame, dvec3 n);
 dvec3 base_normal(dvec3 vertex_normal);
 dvec3 mirror_normal(dvec3 n, double facing);

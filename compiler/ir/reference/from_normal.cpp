@@ -1,13 +1,6 @@
 #include "ir/reference/from_normal.hpp"
 
-#include <algorithm>
-
 namespace sg::ref {
-
-dvec3 scaled_to_one(dvec3 v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return largest > 0.0 ? v / largest : dvec3(0.0);
-}
 
 // v leans away from the line of n by an angle; the surface rises against the lean with the slope tan(angle).
 dvec3 surfgrad_from_normal(dvec3 n, dvec3 v) {

@@ -9,7 +9,7 @@ dvec3 parallax_direction(const Frame& frame, const Uv& uv, dvec3 direction) {
     const dmat3 axes(frame.dpdx, frame.dpdy, frame.normal);
     const double along_n = glm::dot(direction, frame.normal);
     const double area = std::abs(glm::determinant(axes));
-    if (!(area > 1e-6 * glm::length(frame.dpdx) * glm::length(frame.dpdy))) return {0.0, 0.0, along_n};
+    if (!(area > 1e-5 * glm::length(frame.dpdx) * glm::length(frame.dpdy))) return {0.0, 0.0, along_n};
     const dvec3 parts = glm::inverse(axes) * direction;
     return {parts.x * uv.dx + parts.y * uv.dy, along_n};
 }

@@ -7,10 +7,8 @@
 //   uv0_dx             its change per pixel to the right
 //   uv0_dy             its change per pixel downward
 #include "surfgrad/deriv.glsl"
-#include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/sample.glsl"
-#include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
 #ifndef SG_MATERIAL_TYPES
@@ -94,7 +92,7 @@ SgMaterialResult sg_material_bench_a(SgMaterialInputs sg_inputs, SgMaterialParam
 
     // weave: normal_map
     vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent));
 
-    return SgMaterialResult(sg_resolve(sg_mirror_normal(sg_base_normal(sg_inputs.normal), sg_inputs.facing), m_weave), sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), 1.0, 0.0);
+    vec3 m_normal = sg_resolve_vertex_map(sg_inputs.normal, sg_inputs.tangent, sg_inputs.facing, m_weave_m, vec2(sg_material.p_strength));
+    return SgMaterialResult(m_normal, sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -10,7 +10,6 @@
 #include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 #include "surfgrad/volume.glsl"
 
@@ -38,11 +37,17 @@ void main() {
     vec3 m_veins_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
     vec3 m_veins = 0.12 * m_veins_surfgrad_from_height;
 
-    // blisters: noise
-    vec3 m_blisters_gradient = 7.0 * sg_volume_fractal_sum(sg_volume_scale(sg_stage_volume(sg_in_object_position), 7.0), 3).gradient;
-    vec3 m_blisters_mask_volgrad = sg_combine_mask(0.02 * sg_stage_gradient_from_object(m_blisters_gradient), 1.0 - sg_sample(t_veins, s_0, m_veins_uv).x);
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, m_blisters_mask_volgrad);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
-    if (1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten < 0.58) discard;
+    // blisters: noise
+    vec3 m_blisters_gradient_from_object = sg_stage_gradient_from_object(7.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient);
+
+    vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
+
+    // blisters: noise
+    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_texel.x));
+
+    vec4 m_texel_2 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
+    if (1.0 - m_texel_2.x * sg_material.p_eaten < 0.58) discard;
     sg_out_normal = vec4(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()), 1.0);
 }

@@ -106,13 +106,7 @@ struct SgMaterialParameters_mossy_rock {
 
 SgMaterialResult sg_material_mossy_rock(SgMaterialInputs sg_inputs, SgMaterialParameters_mossy_rock sg_material, texture2D t_scan, texture2D t_pebble, texture2D t_scratch, texture2D t_moss, texture2D t_stone, sampler s_0) {
     SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
-
-    // scan: normal_map
-    vec2 m_scan_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_scan, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz, 127.5));
-    vec3 m_scan = sg_surfgrad_from_tbn(sg_deriv_green_up(m_scan_deriv), sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent));
-
-    vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
-    vec3 m_normal = sg_resolve(m_base_normal, m_scan);
+    vec3 m_normal = sg_resolve_vertex_map(sg_inputs.normal, sg_inputs.tangent, 1.0, sg_decode_signed(sg_sample(t_scan, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz, 127.5), vec2(1.0, -1.0));
     SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
 
     // gravel: triplanar
@@ -129,7 +123,7 @@ SgMaterialResult sg_material_mossy_rock(SgMaterialInputs sg_inputs, SgMaterialPa
     vec3 m_fuzz_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 40.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
     vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, 0.004 * m_fuzz_gradient_from_object);
 
-    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, sg_base_normal(sg_inputs.normal));
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);
     SgUv m_uv1 = SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy);
 
