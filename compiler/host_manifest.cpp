@@ -62,7 +62,7 @@ private:
         if (op->word.empty()) return texts_[value.operands[0].index];
         Json out = Json::array({op->word});
         for (ValueId operand : value.operands) out.push_back(texts_[operand.index]);
-        if (value.op == Op::channel_of) out.push_back(value.index);
+        if (ir::info(value.op).attribute != ir::Attribute::None) out.push_back(value.index);
         return out;
     }
 

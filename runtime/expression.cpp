@@ -13,6 +13,11 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
+Numbers unit(const Numbers& v) {
+    const double length = std::max(std::hypot(v[0], v[1], v[2]), 1e-15);
+    return {{v[0] / length, v[1] / length, v[2] / length}, 3};
+}
+
 constexpr ExpressionWord kWords[] = {
     {"add", 2, [](double a, double b, double) { return a + b; }},
     {"subtract", 2, [](double a, double b, double) { return a - b; }},
@@ -46,6 +51,10 @@ std::size_t expression_count(const Expression& expression, std::span<const std::
             return expression.index < of(expression.operands[0]) ? 1 : 0;
         case Expression::Kind::rgb:
             return of(expression.operands[0]) >= 3 ? 3 : 0;
+        case Expression::Kind::row:
+            return of(expression.operands[0]) == 16 && expression.index < 3 ? 3 : 0;
+        case Expression::Kind::unit:
+            return of(expression.operands[0]) == 3 ? 3 : 0;
         case Expression::Kind::word:
             break;
     }
@@ -74,6 +83,13 @@ Numbers evaluate(const Expression& expression, std::span<const Numbers> paramete
             out.count = 3;
             return out;
         }
+        case Expression::Kind::row: {
+            const Numbers matrix = evaluate(expression.operands[0], parameters, steps);
+            const std::size_t row = expression.index;
+            return {{matrix[row], matrix[4 + row], matrix[8 + row]}, 3};
+        }
+        case Expression::Kind::unit:
+            return unit(evaluate(expression.operands[0], parameters, steps));
         case Expression::Kind::word:
             break;
     }

@@ -9,7 +9,7 @@
 
 namespace sg::runtime {
 
-// One to four numbers, or the 16 of a matrix by its columns, with which no expression computes. A single one
+// One to four numbers, or the 16 of a matrix by its columns, of which expressions only take rows. A single one
 // stands for as many as are wanted.
 struct Numbers {
     std::array<double, 16> at{};
@@ -26,10 +26,10 @@ struct ExpressionWord {
 std::span<const ExpressionWord> expression_words();
 
 struct Expression {
-    enum class Kind { numbers, parameter, step, word, channel, rgb };
+    enum class Kind { numbers, parameter, step, word, channel, rgb, row, unit };
     Kind kind = Kind::numbers;
     Numbers numbers;
-    std::size_t index = 0;  // of the parameter, the step, the word or the channel
+    std::size_t index = 0;  // of the parameter, the step, the word, the channel or the row
     std::vector<Expression> operands;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "json/json.hpp"
 #include "runtime/artefact.hpp"
@@ -212,7 +213,8 @@ struct Known {
     std::vector<std::size_t> step_counts;
 };
 
-Expression read_reference(const Node& node, const Known& known) {
+// `row`: of a matrix, as only ["row", matrix, number] takes one.
+Expression read_reference(const Node& node, const Known& known, bool row) {
     Expression out;
     const std::string text = node.text_or_empty();
     if (text.starts_with('$')) {
@@ -220,9 +222,12 @@ Expression read_reference(const Node& node, const Known& known) {
         out.index = static_cast<std::size_t>(at - known.parameters.begin());
         out.kind = Expression::Kind::parameter;
         if (at != known.parameters.end()) {
-            if (known.parameter_counts[out.index] > 4)
-                node.fail(
-                    fmt::format("is '{}', a matrix, with which no expression computes", printable(text)));
+            const bool matrix = known.parameter_counts[out.index] > 4;
+            if (matrix && !row)
+                node.fail(fmt::format("is '{}', a matrix, of which an expression only takes a 'row'",
+                                      printable(text)));
+            if (!matrix && row)
+                node.fail(fmt::format("is '{}', expected a parameter that is a matrix", printable(text)));
             return out;
         }
     }
@@ -237,21 +242,39 @@ Expression read_reference(const Node& node, const Known& known) {
 
 Expression read_expression(const Node& node, const Known& known);
 
-// [word, operand...], ["channel", vector, number] or ["rgb", vector]
+// What reads as a word and is none that computes each component: ["channel", vector, number] and so on.
+struct Form {
+    std::string_view word;
+    Expression::Kind kind{};
+    std::optional<std::uint32_t> last = std::nullopt;  // the largest number behind the operand
+};
+constexpr Form kForms[] = {{"channel", Expression::Kind::channel, 3},
+                           {"rgb", Expression::Kind::rgb},
+                           {"row", Expression::Kind::row, 2},
+                           {"unit", Expression::Kind::unit}};
+
+// [word, operand...] or a form.
 Expression read_call(const std::vector<Node>& items, const Known& known) {
     std::vector<std::string_view> words;
     for (const ExpressionWord& row : expression_words()) words.push_back(row.word);
-    words.insert(words.end(), {"channel", "rgb"});
+    const std::size_t own = words.size();
+    for (const Form& form : kForms) words.push_back(form.word);
     Expression out{.kind = Expression::Kind::word, .index = items[0].choice(words)};
-    const std::size_t own = expression_words().size();
-    const std::size_t operands = out.index < own ? expression_words()[out.index].operands : 1;
-    const bool channel = out.index == own;
-    if (items.size() != operands + (channel ? 2 : 1)) {
-        items[0].fail(fmt::format("must have {} behind it", operands + (channel ? 1 : 0)));
+    const Form* form = out.index >= own ? &kForms[out.index - own] : nullptr;
+    const std::size_t operands = form ? 1 : expression_words()[out.index].operands;
+    const std::size_t behind = operands + (form && form->last ? 1 : 0);
+    if (items.size() != behind + 1) {
+        items[0].fail(fmt::format("must have {} behind it", behind));
         return {};
     }
-    if (out.index >= own) out.kind = channel ? Expression::Kind::channel : Expression::Kind::rgb;
-    if (channel) out.index = items[2].integer(0, 3);
+    if (form) {
+        out.kind = form->kind;
+        out.index = form->last ? items[2].integer(0, *form->last) : 0;
+        const bool row = form->kind == Expression::Kind::row;
+        out.operands.push_back(row ? read_reference(items[1], known, true)
+                                   : read_expression(items[1], known));
+        return out;
+    }
     for (std::size_t i = 1; i <= operands; ++i) out.operands.push_back(read_expression(items[i], known));
     return out;
 }
@@ -259,7 +282,7 @@ Expression read_call(const std::vector<Node>& items, const Known& known) {
 Expression read_expression(const Node& node, const Known& known) {
     constexpr double kMax = 1e300;
     if (node.is_number()) return {.numbers = {{node.number(-kMax, kMax)}, 1}};
-    if (!node.is_array()) return read_reference(node, known);
+    if (!node.is_array()) return read_reference(node, known, false);
     const std::vector<Node> items = node.items();
     if (items.empty() || items.size() > 4) {
         node.fail("must hold one to four values");

@@ -235,6 +235,11 @@ Rows decals_rows() {
             [](dvec3 x, dvec3 y, dvec3 z, dvec3 origin) {
                 return glm::dmat4(dvec4(x, 0.0), dvec4(y, 0.0), dvec4(z, 0.0), dvec4(origin, 1.0));
             }},
+        Row{Op::projector_axis,
+            [](const Call& c, const glm::dmat4& m) {
+                return dvec3(glm::transpose(m)[static_cast<int>(c.value.index)]);
+            }},
+        Row{Op::unit, ref::unit_or_shorter},
         Row{Op::decal_box,
             [](const glm::dmat4& m, const Volume& v) { return ref::decal_box(m, v.p, v.dx, v.dy); }},
         Row{Op::decal_cone,
@@ -256,6 +261,7 @@ Rows decals_rows() {
             [](const ref::Decal& d, double edge) { return ref::decal_falloff_wedge(d.local, edge); }},
         Row{Op::decal_angle_fade, ref::decal_angle_fade},
         Row{Op::decal_gradient, ref::decal_gradient},
+        Row{Op::decal_gradient_along, ref::decal_gradient_along},
     };
 }
 

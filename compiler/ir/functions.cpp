@@ -261,6 +261,7 @@ Rows decal_rows() {
         Row{"sg_decal_angle_fade", ref::decal_angle_fade},
         Row{"sg_decal_gradient_scaled", ref::decal_gradient_scaled},
         Row{"sg_decal_gradient", ref::decal_gradient},
+        Row{"sg_decal_gradient_along", ref::decal_gradient_along},
         Row{"sg_decal_add", ref::decal_add},
         Row{"sg_decal_mask", ref::decal_mask},
     };

@@ -22,6 +22,8 @@ constexpr HostOp kHostOps[] = {
     {Op::mix_color, "mix"},
     {Op::channel_of, "channel", false},
     {Op::rgb_of, "rgb", false},
+    {Op::projector_axis, "row", false},
+    {Op::unit, "unit"},
     {Op::grey, "", false},
     {Op::color, "", false},
 };

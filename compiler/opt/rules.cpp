@@ -215,6 +215,26 @@ ValueId mix_before_projection(Rewriter& rewriter, const Value& value) {
     return rewriter.add(Op::surfgrad_from_volume, {from.onto, mixed}, like);
 }
 
+// ---- decals ----
+
+// Of a matrix that is written out, the shader compiler knows the rows.
+ValueId parallel_projection_has_one_gradient(Rewriter& rewriter, const Value& value) {
+    const Value* decal = rewriter.operand(value, 1, Op::decal_box);
+    if (!decal || !rewriter.operand(*decal, 0, Op::parameter)) return {};
+    const ValueId projector = decal->operands[0];
+    auto unit_row = [&](std::uint32_t row, const char* name) {
+        const ValueId axis = rewriter.add({.op = Op::projector_axis,
+                                           .type = ir::Type::Vec3,
+                                           .operands = {projector},
+                                           .index = row,
+                                           .layer = value.layer});
+        return rewriter.add(
+            {.op = Op::unit, .type = ir::Type::Vec3, .operands = {axis}, .name = name, .layer = value.layer});
+    };
+    const ValueId axis_s = unit_row(0, "axis_s"), axis_t = unit_row(1, "axis_t");
+    return rewriter.add(Op::decal_gradient_along, {value.operands[0], axis_s, axis_t}, value);
+}
+
 // ---- numbers ----
 
 double folded(Op op, double a, double b, double c) {
@@ -315,6 +335,10 @@ std::span<const Rule> all_rules() {
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
          fold_numbers},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
+        {"parallel_projection_has_one_gradient",
+         "a parallel projection's gradients are the rows of its matrix, the same for every pixel",
+         {decal_gradient},
+         parallel_projection_has_one_gradient},
         {"parameters_on_host",
          "what depends on parameters alone is the same for every pixel: the host computes it once",
          {},

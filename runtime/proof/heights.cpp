@@ -49,6 +49,7 @@ const std::vector<HeightRow>& rows() {
         {Op::noise_turbulence, HeightRule::noise},
         {Op::noise_power, HeightRule::noise},
         {Op::decal_gradient, HeightRule::pass},
+        {Op::decal_gradient_along, HeightRule::pass},
         {Op::gradient_from_object, HeightRule::pass},
         {Op::gradient_from_world, HeightRule::pass},
         {Op::scale_volgrad, HeightRule::scale},

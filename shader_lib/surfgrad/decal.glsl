@@ -150,6 +150,11 @@ vec3 sg_decal_gradient(vec2 d, SgDecal decal) {
     return per_unit.x * decal.grad_s + per_unit.y * decal.grad_t;
 }
 
+// The same where the directions are known: of a box, the rows of its matrix at unit length, the same for every pixel.
+//   d: as above; axis_s, axis_t: unit, shading space, the directions of the gradients of s and t.
+// Result: shading space; linear in d. Cost: 10 instructions. Source: Listing 15.
+vec3 sg_decal_gradient_along(vec2 d, vec3 axis_s, vec3 axis_t) { return d.x * axis_s + d.y * axis_t; }
+
 // One more decal on top of a sum of volume gradients: both bumps show.
 //   sum, gradient: shading space; alpha: >= 0 (the image's times the falloff).
 // Result: independent of the order; sum itself for alpha = 0, whatever gradient holds. Cost: 9 instructions.

@@ -96,9 +96,10 @@ struct Subject {
     ir::Module lowered, optimised;
 };
 
-Subject compile(const std::string& json) {
+Subject compile(const std::string& json, const std::map<std::string, std::string>& named = {}) {
     static const target::ShaderLibrary kLibrary = target::embedded_library();
     MemoryFiles files;
+    for (const auto& [path, content] : named) files.contents["in/" + path] = content;
     CompileRequest request{.source = std::make_shared<Source>(Source{"case.json", json})};
     request.stem = "case";
     request.roots = {"in"};
@@ -144,7 +145,7 @@ ir::Bindings bindings_of(const Subject& subject, const std::vector<std::byte>& b
     ir::Bindings out;
     for (std::size_t i = 0; i < subject.lowered.parameters.size(); ++i) {
         const runtime::Parameter& p = subject.artefact.parameters->parameters[i];
-        std::array<double, 4> numbers{};
+        std::array<double, 16> numbers{};
         for (std::size_t k = 0; k < p.initial.size(); ++k) numbers[k] = float_at(block, p.offset + 4 * k);
         out.parameters.push_back(ir::datum_of(subject.lowered.parameters[i].type, numbers));
     }
@@ -249,9 +250,53 @@ TEST(Derived, WrongExpressionsAreNoticed) {
     }
 }
 
+// ---- the rows of a matrix ----
+
+constexpr const char* kThrown = R"({
+  "version": 1,
+  "parameters": { "place": { "type": "mat4", "default": [1.25, 0, 0, 0, 0, -0.8, 0.625, 0, 0, -1, -0.5, 0, -0.125, 1.4, 0.4, 1] } },
+  "textures": { "ramp": { "file": "textures/ramp_normal.png", "encoding": "tangent_normal", "green": "down" } },
+  "bump": [ { "layers": [ { "id": "sign", "kind": "decal", "texture": "ramp", "space": "world", "projector": "$place" } ] } ] })";
+
+// The unit rows by hand, from the floats that the block holds.
+glm::dvec3 unit_row(const std::vector<std::byte>& block, std::size_t row) {
+    glm::dvec3 out;
+    for (std::size_t c = 0; c < 3; ++c) out[static_cast<int>(c)] = float_at(block, 4 * (4 * c + row));
+    const double length = std::hypot(out.x, out.y, out.z);
+    return length > 0 ? out / length : out;
+}
+
+TEST(Derived, DirectionsOfADecalAreRowsOfItsMatrix) {
+    const Subject s = compile(kThrown, truth::sample_files());
+    const Json& block = s.manifest.at("parameter_block");
+    EXPECT_EQ(block.at("derived")[0].at("expression").dump(), R"(["unit",["row","$place",0]])");
+    EXPECT_EQ(block.at("derived")[1].at("expression").dump(), R"(["unit",["row","$place",1]])");
+    EXPECT_EQ(bytes_of(block.at("default_bytes")), packed(s.artefact));
+    std::seed_seq sequence{run_seed(), run_seed() >> 32U};
+    std::mt19937_64 random(sequence);
+    std::uniform_real_distribution<double> number(-3, 3);
+    for (int round = 0; round < 200; ++round) {
+        std::string setting = "place=";
+        for (int i = 0; i < 16; ++i)
+            setting += fmt::format("{}{}", i > 0 ? "," : "", round > 0 && i < 15 ? number(random) : i == 15);
+        const auto bytes = packed(s.artefact, {setting});
+        const auto values = ir::derived_values(s.optimised, bindings_of(s, bytes));
+        ASSERT_EQ(values.size(), 2u);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const glm::dvec3 expected = unit_row(bytes, k);
+            const auto numbers = ir::components(values[k]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float held = float_at(bytes, s.artefact.parameters->derived[k].offset + 4 * c);
+                EXPECT_EQ(held, runtime::stored(numbers[c])) << setting;
+                EXPECT_NEAR(numbers[c], expected[static_cast<int>(c)], 1e-15) << setting;
+            }
+        }
+    }
+}
+
 // The words of both sides are the same.
 TEST(Derived, TheGrammarIsOne) {
-    std::set<std::string_view> compiler, renderer{"channel", "rgb", ""};
+    std::set<std::string_view> compiler, renderer{"channel", "rgb", "row", "unit", ""};
     for (const ir::HostOp& op : ir::all_host_ops()) compiler.insert(op.word);
     for (const runtime::ExpressionWord& word : runtime::expression_words()) renderer.insert(word.word);
     EXPECT_EQ(compiler, renderer);

@@ -30,6 +30,8 @@ public:
             out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
             out_.parameters.push_back(ir::datum_of(type, numbers()));
         }
+        out_.module.parameters.push_back({"projector", Type::Projector});
+        out_.parameters.push_back(ir::datum_of(Type::Projector, affine()));
         derive();
         while (out_.module.values.size() < kValues) {
             const ir::OpInfo& op = pick_op();
@@ -79,6 +81,13 @@ private:
         return kNumbers[below(std::size(kNumbers))];
     }
     std::array<double, 4> numbers() { return {number(), number(), number(), number()}; }
+
+    // A matrix by its columns, any three rows.
+    std::array<double, 16> affine() {
+        std::array<double, 16> out{};
+        for (std::size_t i = 0; i < 16; ++i) out[i] = i % 4 < 3 ? number() : i == 15 ? 1 : 0;
+        return out;
+    }
 
     // Mostly a recent value, so that graphs become deep.
     ValueId pick(const std::vector<ValueId>& values) {

@@ -270,6 +270,28 @@ Case gradients() {
                         {kFile, "d * inversesqrt(max(vec2(dot(decal.grad_s, decal.grad_s)", "d * inversesqrt(max(vec2(dot(decal.grad_t, decal.grad_t)"}}};
 }
 
+// Inputs: 0 axis_s, 3 axis_t, 6 d.
+Case gradients_along() {
+    return {
+        .name = "decal_gradient_along",
+        .include = kFile,
+        .inputs = 8,
+        .outputs = 3,
+        .glsl = "put(0, sg_decal_gradient_along(v2(6), v3(0), v3(3)));",
+        .draw =
+            [](Random& random, Draw& in) {
+                in.put(0, random.direction());
+                in.put(3, random.below(16) == 0 ? glm::dvec3(0.0) : random.direction());
+                in.put(6, glm::dvec2(random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0)));
+            },
+        .reference = [](const In& in,
+                        Expect& out) { out.put(0, ref::decal_gradient_along(in.v2(6), in.v3(0), in.v3(3))); },
+        // Two products of up to 4 and their sum of up to 8: 16 roundings; doubled.
+        .bound = {.absolute = 32 * kUlp},
+        .mutants = {{kFile, "return d.x * axis_s + d.y * axis_t; }", "return d.x * (axis_s + axis_t); }"},
+                    {kFile, "{ return d.x * axis_s +", "{ return abs(d.x) * axis_s +"}}};
+}
+
 // Inputs: 0 sum, 3 gradient, 6 alpha (0 and 1 often; then what does not count may be NaN).
 Case accumulation() {
     return {
@@ -304,7 +326,7 @@ Case accumulation() {
 }
 
 std::vector<Case> cases() {
-    std::vector<Case> out = {wild_falloffs(), angle_fade(), gradients(), accumulation()};
+    std::vector<Case> out = {wild_falloffs(), angle_fade(), gradients(), gradients_along(), accumulation()};
     for (auto& more : {lookups(), falloffs()}) out.insert(out.end(), more.begin(), more.end());
     return out;
 }
@@ -375,6 +397,25 @@ TEST(Decal, OrderAndProjectionOnce) {
             alpha * ref::surfgrad_from_volume(n, a) + beta * ref::surfgrad_from_volume(n, b);
         EXPECT_LT(glm::length(ref::surfgrad_from_volume(n, ab) - each), 1e-13);
     }
+}
+
+// The gradient of a box is that along the unit rows of its matrix, wherever the position is; to what length
+// the rows are scaled does not matter.
+TEST(Decal, ABoxHasOneGradient) {
+    Random random("decal_rows");
+    std::vector<float> floats(25);
+    for (int i = 0; i < 1000; ++i) {
+        Draw draw{std::span<float>(floats)};
+        draw_projector(random, draw);
+        const In in{std::span<const float>(floats)};
+        const glm::dmat4 rows = glm::transpose(projector(in));
+        const glm::dvec2 d(random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0));
+        const glm::dvec3 along =
+            ref::decal_gradient_along(d, ref::unit_or_shorter(rows[0]), ref::unit_or_shorter(rows[1]));
+        const ref::Decal box = ref::decal_box(projector(in), in.v3(16), in.v3(19), in.v3(22));
+        EXPECT_LT(glm::length(along - ref::decal_gradient(d, box)), 1e-14);
+    }
+    EXPECT_EQ(ref::unit_or_shorter(glm::dvec3(0.0)), glm::dvec3(0.0));
 }
 
 // F: at a silhouette the neighbouring pixel shows another surface, and the difference of lookups asks for the

@@ -118,6 +118,14 @@ dvec3 decal_gradient(dvec2 d, const Decal& decal) {
     return d.x * unit(decal.grad_s) + d.y * unit(decal.grad_t);
 }
 
+dvec3 decal_gradient_along(dvec2 d, dvec3 axis_s, dvec3 axis_t) {
+    return d.x * axis_s + d.y * axis_t;
+}
+
+dvec3 unit_or_shorter(dvec3 v) {
+    return v / std::max(std::hypot(v.x, v.y, v.z), 1e-15);
+}
+
 dvec3 decal_add(dvec3 sum, dvec3 gradient, double alpha) {
     return alpha > 0.0 ? sum + alpha * gradient : sum;
 }

@@ -27,6 +27,9 @@ double decal_angle_fade(dvec3 n, dvec3 towards, double cos_full, double cos_none
 
 dvec3 decal_gradient_scaled(dvec2 d, const Decal& decal, dvec2 dim, double height);
 dvec3 decal_gradient(dvec2 d, const Decal& decal);
+dvec3 decal_gradient_along(dvec2 d, dvec3 axis_s, dvec3 axis_t);
+// v over the larger of its length and 1e-15: zero stays zero.
+dvec3 unit_or_shorter(dvec3 v);
 dvec3 decal_add(dvec3 sum, dvec3 gradient, double alpha);
 dvec3 decal_mask(dvec3 sum, dvec3 gradient, double alpha);
 

@@ -6,6 +6,7 @@
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
@@ -29,10 +30,10 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
 
     vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave_m, vec2(sg_material.p_strength));
-    SgSurface sg_surface = SgSurface(sg_material.p_tint * sg_stage_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
+    SgSurface sg_surface = SgSurface(sg_material.p_tint * sg_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
     vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, m_normal);
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -119,6 +119,8 @@ struct SgMaterialParameters_bench_b {
     float p_decal_strength;
     float p_roughness;
     float p_metallic;
+    vec3 d_sign_axis_s;
+    vec3 d_sign_axis_t;
 };
 
 SgMaterialResult sg_material_bench_b(SgMaterialInputs sg_inputs, SgMaterialParameters_bench_b sg_material, texture2D t_weave, texture2D t_scratch, texture2D t_pebble, texture2D t_ramp, texture2D t_moss, texture2D t_stone, texture2D t_sign, sampler s_0) {
@@ -156,11 +158,12 @@ SgMaterialResult sg_material_bench_b(SgMaterialInputs sg_inputs, SgMaterialParam
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
+    vec3 m_sign_gradient = sg_decal_gradient_along(m_sign_deriv, sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
     vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
     float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
-    vec3 m_sign_mask_volgrad = sg_combine_mask(sg_material.p_decal_strength * sg_decal_gradient(m_sign_deriv, m_sign_decal), m_sign_coverage);
 
-    vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + m_sign_mask_volgrad);
+    vec3 m_add_volgrad_2 = m_add_volgrad + sg_combine_mask(sg_material.p_decal_strength * m_sign_gradient, m_sign_coverage);
+    vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad_2);
     vec4 m_texel = sg_sample(t_stone, s_0, m_uv0);
     return SgMaterialResult(sg_resolve(m_base_normal, m_add_surfgrad), mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), sg_material.p_opacity * m_texel.w, 0.0);
 }

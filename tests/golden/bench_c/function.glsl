@@ -137,6 +137,10 @@ struct SgMaterialParameters_bench_c {
     float p_metallic;
     float p_wetness;
     float d_parallax_multiply;
+    vec3 d_sign_axis_s;
+    vec3 d_sign_axis_t;
+    vec3 d_plaster_axis_s;
+    vec3 d_plaster_axis_t;
 };
 
 SgMaterialResult sg_material_bench_c(SgMaterialInputs sg_inputs, SgMaterialParameters_bench_c sg_material, texture2D t_height, texture2D t_pebble, texture2D t_scratch, texture2D t_moss, texture2D t_sphere, texture2D t_rib, texture2D t_weave, texture2D t_ramp, texture2D t_brick, texture2D t_stone, texture2D t_sign, texture2D t_plaster, sampler s_0) {
@@ -202,18 +206,19 @@ SgMaterialResult sg_material_bench_c(SgMaterialInputs sg_inputs, SgMaterialParam
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
+    vec3 m_sign_gradient = sg_decal_gradient_along(m_sign_deriv, sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
     vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
     float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
-    vec3 m_sign_mask_volgrad = sg_combine_mask(sg_material.p_first_strength * sg_decal_gradient(m_sign_deriv, m_sign_decal), m_sign_coverage);
 
     // plaster: decal
     SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_plaster_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5));
+    vec3 m_plaster_gradient = sg_decal_gradient_along(m_plaster_deriv, sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
     vec4 m_plaster_cutout = sg_sample(t_plaster, s_0, m_plaster_decal.uv);
     float m_plaster_coverage = sg_decal_falloff_box(m_plaster_decal.local, 0.25) * m_plaster_cutout.w;
-    vec3 m_plaster_mask_volgrad = sg_combine_mask(sg_material.p_second_strength * sg_decal_gradient(m_plaster_deriv, m_plaster_decal), m_plaster_coverage);
 
-    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_surfgrad_from_volume(m_normal_2, m_sign_mask_volgrad + m_plaster_mask_volgrad));
+    vec3 m_add_volgrad_2 = sg_combine_mask(sg_material.p_first_strength * m_sign_gradient, m_sign_coverage) + sg_combine_mask(sg_material.p_second_strength * m_plaster_gradient, m_plaster_coverage);
+    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_surfgrad_from_volume(m_normal_2, m_add_volgrad_2));
 
     // film: earlier_normal
     vec3 m_film = sg_surfgrad_from_normal(m_normal_3, m_normal);

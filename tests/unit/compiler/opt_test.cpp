@@ -124,6 +124,36 @@ const RuleCase kCases[] = {
      "%11 = surfgrad_from_tbn %9 %3 : SurfGrad\n%12 = add_surfgrad %10 %11 : SurfGrad\noutput gradient = "
      "%12\n",
      "%9 = add_deriv %6 %8 : Deriv\n%10 = surfgrad_from_tbn %9 %2 : SurfGrad\noutput gradient = %10\n"},
+    // The shader still needs the matrix for the coordinate.
+    {"parallel_projection_has_one_gradient",
+     "parameter 0 \"p\" : Projector\n%8 = parameter 0 : Projector\n%9 = volume_world : Volume\n"
+     "%10 = decal_box %8 %9 : Decal\n%11 = decal_gradient %7 %10 : LocalGrad\n"
+     "%12 = gradient_from_world %11 : VolGrad\n%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
+     "%14 = decal_uv %10 : Uv\n%15 = sample 0 %14 : Texel\n%16 = channel 0 %15 : Scalar\n"
+     "output gradient = %13\noutput metallic = %16\n",
+     "host %0 = parameter 0 : Projector\nhost %1 = projector_axis 0 %0 : Vec3\n"
+     "host %2 = unit %1 : Vec3 'axis_s'\n"
+     "host %3 = projector_axis 1 %0 : Vec3\nhost %4 = unit %3 : Vec3 'axis_t'\n"
+     "derived 0 \"axis_s\" : Vec3 = %2\nderived 1 \"axis_t\" : Vec3 = %4\n"
+     "%0 = vertex_normal : VertexNormal\n"
+     "%1 = base_normal %0 : Normal\n"
+     "%2 = uv_set 0 : Uv\n"
+     "%3 = sample 0 %2 : Texel\n"
+     "%4 = decode_normal_xyz 127.5 %3 : TangentNormal\n"
+     "%5 = deriv_from_normal_xyz %4 : Deriv\n"
+     "%6 = parameter 0 : Projector\n"
+     "%7 = volume_world : Volume\n"
+     "%8 = decal_box %6 %7 : Decal\n"
+     "%9 = derived 0 : Vec3 'axis_s'\n"
+     "%10 = derived 1 : Vec3 'axis_t'\n"
+     "%11 = decal_gradient_along %5 %9 %10 : LocalGrad\n"
+     "%12 = gradient_from_world %11 : VolGrad\n"
+     "%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
+     "%14 = decal_uv %8 : Uv\n"
+     "%15 = sample 0 %14 : Texel\n"
+     "%16 = channel 0 %15 : Scalar\n"
+     "output gradient = %13\n"
+     "output metallic = %16\n"},
     // %11 is needed by the shader and by %12; the channel alone costs nothing and stays.
     {"parameters_on_host",
      "parameter 0 \"p\" : Scalar\nparameter 1 \"q\" : Vec4\n%8 = parameter 0 : Scalar\n%9 = parameter 1 : "

@@ -58,6 +58,9 @@ TEST(Expression, EachWord) {
     EXPECT_EQ(computed(manifest(R"(["power", -1, 2])", "float")), Floats{0});
     EXPECT_EQ(computed(manifest(R"(["channel", "$tint", 1])", "float")), Floats{0.5f});
     EXPECT_EQ(computed(manifest(R"(["rgb", [1, 2, 3, 4]])", "color")), (Floats{1, 2, 3}));
+    EXPECT_EQ(computed(manifest(R"(["unit", [3, 0, -4]])", "color")), (Floats{0.6f, 0, -0.8f}));
+    EXPECT_EQ(computed(manifest(R"(["unit", [0, 0, 0]])", "color")), (Floats{0, 0, 0}));
+    EXPECT_EQ(computed(manifest(R"(["unit", [0, 5e-16, 0]])", "color")), (Floats{0, 0.5f, 0}));
     EXPECT_EQ(expression_words().size(), 10u);
 }
 
@@ -83,7 +86,7 @@ TEST(Expression, WhatIsRefused) {
     EXPECT_EQ(
         message(manifest(R"(["sine", 1])")),
         at + "/0' is 'sine', expected 'add', 'subtract', 'multiply', 'divide', 'minimum', 'maximum', 'mix', "
-             "'clamp', 'smoothstep', 'power', 'channel' or 'rgb'");
+             "'clamp', 'smoothstep', 'power', 'channel', 'rgb', 'row' or 'unit'");
     EXPECT_EQ(message(manifest(R"(["add", 1])")), at + "/0' must have 2 behind it");
     EXPECT_EQ(message(manifest(R"(["channel", "$tint"])")), at + "/0' must have 2 behind it");
     EXPECT_EQ(message(manifest(R"("$tont")")),
@@ -95,6 +98,8 @@ TEST(Expression, WhatIsRefused) {
     EXPECT_EQ(message(manifest(R"(["channel", "$tint", 3])", "float")),
               at + "' mixes vectors of different lengths");
     EXPECT_EQ(message(manifest(R"(["rgb", "$gain"])", "color")), at + "' mixes vectors of different lengths");
+    EXPECT_EQ(message(manifest(R"(["unit", "$gain"])", "color")),
+              at + "' mixes vectors of different lengths");
     EXPECT_EQ(message(manifest("[]")), at + "' must hold one to four values");
     EXPECT_EQ(message(manifest("{}")), at + "' must be a text");
     EXPECT_EQ(message(manifest(R"("$tint")", "float")),
@@ -123,7 +128,7 @@ std::string with_matrix(const std::string& expression) {
     return text;
 }
 
-TEST(Expression, AMatrixIsSetAndNotComputedWith) {
+TEST(Expression, OfAMatrixOnlyRowsAreTaken) {
     Diags diags;
     auto artefact = read_manifest(with_matrix(R"(["multiply", "$gain", 2])"), "m.json", diags);
     ASSERT_TRUE(artefact) << render(diags);
@@ -137,16 +142,28 @@ TEST(Expression, AMatrixIsSetAndNotComputedWith) {
               (Floats{1, 1, 1, 3, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 6, 0, 0, 0}));
     EXPECT_EQ(floats({"place=0,1,0,0,-1,0,0,0,0,0,1,0,0.5,2,-3,1"}),
               (Floats{1, 1, 1, 0.5f, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.5f, 2, -3, 1, 1, 0, 0, 0}));
+    auto row = read_manifest(with_matrix(R"(["channel", ["row", "$place", 2], 1])"), "m.json", diags);
+    ASSERT_TRUE(row) << render(diags);
+    auto block = pack_parameters(*row, {}, diags);
+    float derived = 0;
+    std::memcpy(&derived, block->data() + 80, sizeof derived);
+    EXPECT_EQ(derived, 7);
     EXPECT_FALSE(diags.has_errors());
     EXPECT_TRUE(floats({"place=1,0,0,0"}).empty());
     EXPECT_EQ(diags.all().back().message,
               "parameter 'place' is a mat4: expected 16 numbers separated by commas, not '1,0,0,0'");
 
-    Diags refused;
-    EXPECT_FALSE(read_manifest(with_matrix(R"(["channel", "$place", 0])"), "m.json", refused));
-    EXPECT_EQ(refused.all()[0].message,
-              "'/parameter_block/derived/0/expression/1' is '$place', a matrix, with "
-              "which no expression computes");
+    auto message = [](const std::string& expression) {
+        Diags refused;
+        EXPECT_FALSE(read_manifest(with_matrix(expression), "m.json", refused)) << expression;
+        return refused.has_errors() ? refused.all()[0].message : "";
+    };
+    const std::string at = "'/parameter_block/derived/0/expression/1";
+    EXPECT_EQ(message(R"(["channel", "$place", 0])"),
+              at + "' is '$place', a matrix, of which an expression only takes a 'row'");
+    EXPECT_EQ(message(R"(["channel", ["row", "$gain", 0], 0])"),
+              at + "/1' is '$gain', expected a parameter that is a matrix");
+    EXPECT_EQ(message(R"(["channel", ["row", "$place", 3], 0])"), at + "/2' must be a number from 0 to 2");
 }
 
 }  // namespace
