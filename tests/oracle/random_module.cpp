@@ -38,6 +38,7 @@ public:
             const bool looks = out_.module.values.size() >= kBeforeParallax;
             if (looks ? !ir::takes_screen_derivatives(op.op) : !ir::looks_along_ray(op.op)) add(op);
         }
+        resolve_one_map();
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
             if (values.empty()) continue;
@@ -61,6 +62,27 @@ private:
                        {.op = Op::constant, .type = Type::Scalar, .number = {number()}},
                        {.op = Op::multiply, .type = Type::Scalar, .operands = {ValueId{0}, ValueId{1}}}};
         module.derived = {{"first", Type::Scalar, {2}}, {"second", Type::Scalar, {0}}};
+    }
+
+    // One map on vertex tangents by itself, where there is one: chance seldom brings its parts together.
+    void resolve_one_map() {
+        const ir::Module& module = out_.module;
+        ValueId n, g;
+        for (std::uint32_t i = 0; i < module.values.size(); ++i) {
+            const ir::Value& value = module.values[i];
+            if (value.op == Op::base_normal) n = {i};
+            if (value.op != Op::surfgrad_from_tbn) continue;
+            const Op deriv = module.at(value.operands[0]).op;
+            const bool of_map =
+                deriv == Op::deriv_from_normal_xyz || deriv == Op::scale_deriv || deriv == Op::deriv_green_up;
+            if (of_map && module.at(value.operands[1]).op == Op::basis_vertex) g = {i};
+        }
+        if (!n.valid() || !g.valid()) return;
+        ir::Value resolved{.op = Op::resolve, .type = Type::Normal};
+        resolved.operands = {n, g};
+        depth_.push_back(0);
+        by_type_[Type::Normal].push_back({static_cast<std::uint32_t>(module.values.size())});
+        out_.module.values.push_back(std::move(resolved));
     }
 
     // Coordinates and bases, which many rules look at, more often than the rest.
