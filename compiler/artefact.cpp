@@ -8,6 +8,7 @@
 #include "base/ice.hpp"
 #include "function_manifest.hpp"
 #include "host_manifest.hpp"
+#include "ir/lighting.hpp"
 
 namespace sg {
 namespace {
@@ -227,6 +228,7 @@ std::vector<std::pair<std::string, std::string>> artefact_files(const ArtefactIn
                      {"stem", input.stem},
                      {"source", {{"file", input.source_file}, {"hash", input.source_hash}}},
                      {"two_sided", word(input.material->surface.two_sided)},
+                     {"lighting", ir::all_lighting_models()[input.material->surface.lighting].name},
                      {"entry_points", entries}};
     if (!input.material->shaders.empty() || !input.material->bases.empty())
         manifest["sources"] = sources_json(input);

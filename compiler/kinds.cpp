@@ -4,6 +4,7 @@
 
 #include "base/diag.hpp"
 #include "base/ice.hpp"
+#include "ir/lighting.hpp"
 #include "layers/kind.hpp"
 
 namespace sg {
@@ -74,6 +75,7 @@ std::string fallback(const Field& field) {
         case FieldKind::matrix:
         case FieldKind::entry:
             return "";
+        case FieldKind::color:
         case FieldKind::vector:
             return fmt::format("{0}, {0}, {0}", field.fallback);
         default:
@@ -106,6 +108,13 @@ std::string rows(std::span<const Field> fields) {
     return out;
 }
 
+std::string inputs_of(const ir::LightingModel& model) {
+    std::string out;
+    for (ir::Output input : model.inputs)
+        out += fmt::format("{}{}", out.empty() ? "" : ", ", ir::output_name(input));
+    return out;
+}
+
 }  // namespace
 
 std::string kinds_text() {
@@ -117,6 +126,9 @@ std::string kinds_text() {
     for (const layers::NodeKind& kind : layers::all_node_kinds()) {
         out += fmt::format("\nnode {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
     }
+    out += "\nsurface:\n" + rows(layers::surface_fields());
+    for (const ir::LightingModel& model : ir::all_lighting_models())
+        out += fmt::format("\nlighting {}: {}\n  told of {}\n", model.name, model.doc, inputs_of(model));
     return out;
 }
 
@@ -148,6 +160,14 @@ std::string kinds_markdown() {
         out +=
             fmt::format("\n### `{}`\n\n{}; gives {}.\n{}", kind.name, kind.doc, result, table(kind.fields));
     }
+    out += "\n## Surface\n\nBeside `lighting`, `alpha_test` and `two_sided`, `surface` has:\n";
+    out += table(layers::surface_fields());
+    out +=
+        "\n## Lighting models\n\n`\"lighting\": NAME` in `surface`; a field that the model is not told is "
+        "refused. Every "
+        "surface has `opacity`.\n\n| name | what | fields |\n|---|---|---|\n";
+    for (const ir::LightingModel& model : ir::all_lighting_models())
+        out += fmt::format("| `{}` | {} | {} |\n", model.name, model.doc, inputs_of(model));
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/ice.hpp"
+#include "ir/lighting.hpp"
 #include "layers/kind.hpp"
 #include "material/checked.hpp"
 
@@ -91,7 +92,7 @@ Json described(const Field& field) {
         return out;
     if (field.kind == FieldKind::choice) {
         out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
-    } else if (field.kind == FieldKind::vector) {
+    } else if (field.kind == FieldKind::vector || field.kind == FieldKind::color) {
         out["default"] = {field.fallback, field.fallback, field.fallback};
     } else {
         out["default"] = field.fallback;
@@ -251,22 +252,23 @@ Json parameter_definition() {
           parameter_of(kMatrix, numbers(16, any), false), parameter_of(kTexture, reference("name"), false)}}};
 }
 
+// One for each lighting model; a surface that names none has the first.
 Json surface_definition() {
-    auto expression = [](std::size_t count, double maximum) {
-        Json bounded = number(0, maximum);
-        return Json{{"anyOf",
-                     {count == 1 ? bounded : numbers(count, bounded), reference("parameter_reference"),
-                      reference("node_reference"), reference("node")}}};
-    };
     constexpr std::string_view kSides[] = {"off", "mirror", "flip"};
-    return object({{"base_color", expression(3, 1)},
-                   {"metallic", expression(1, 1)},
-                   {"roughness", expression(1, 1)},
-                   {"occlusion", expression(1, 1)},
-                   {"emission", expression(3, 1e4)},
-                   {"opacity", expression(1, 1)},
-                   {"alpha_test", number(0, 1)},
-                   {"two_sided", words(kSides)}});
+    Json any = Json::array();
+    for (const ir::LightingModel& model : ir::all_lighting_models()) {
+        Json properties = {{"lighting", {{"const", model.name}, {"description", model.doc}}}};
+        std::vector<std::string> required;
+        if (!any.empty()) required.emplace_back("lighting");
+        for (const Field& field : layers::surface_fields()) {
+            if (ir::has_input(model, layers::surface_output(field)))
+                properties[std::string(field.name)] = described(field);
+        }
+        properties["alpha_test"] = number(0, 1);
+        properties["two_sided"] = words(kSides);
+        any.push_back(object(properties, required));
+    }
+    return {{"anyOf", any}};
 }
 
 Json budget_definition() {

@@ -65,7 +65,8 @@ ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface
                          const std::string& stem, const target::ShaderLibrary& library,
                          const target::SpirvOptions& options) {
     const emit::EntryPoint& entry = *emit::find_entry_point("forward");
-    emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
+    emit::Shaders shaders =
+        emit::emit_glsl(opt::select_outputs(module, emit::needed_outputs(entry, module)), entry, interface);
     return forward_cost(shaders, to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment,
                                           library, options));
 }

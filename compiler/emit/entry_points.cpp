@@ -1,5 +1,7 @@
 #include "emit/glsl.hpp"
 
+#include "ir/lighting.hpp"
+
 namespace sg::emit {
 
 std::span<const EntryPoint> all_entry_points() {
@@ -8,8 +10,9 @@ std::span<const EntryPoint> all_entry_points() {
         {"forward",
          "the lit picture: linear radiance",
          {{"color", "", "linear radiance; opacity"}},
-         {normal, base_color, metallic, roughness, occlusion, emission, opacity, cutoff},
+         {normal, opacity, cutoff},
          {"stage/forward.glsl"},
+         true,
          true,
          true},
         {"gbuffer",
@@ -21,6 +24,7 @@ std::span<const EntryPoint> all_entry_points() {
          {normal, base_color, metallic, roughness, occlusion, emission, opacity, cutoff},
          {},
          false,
+         false,
          true},
         {"normal",
          "the resolved unit normal, world axes",
@@ -28,14 +32,23 @@ std::span<const EntryPoint> all_entry_points() {
          {normal, opacity, cutoff},
          {},
          false,
+         false,
          false},
-        {"depth", "nothing but the depth: shadows and depth passes", {}, {opacity, cutoff}, {}, false, false},
+        {"depth",
+         "nothing but the depth: shadows and depth passes",
+         {},
+         {opacity, cutoff},
+         {},
+         false,
+         false,
+         false},
         {"debug",
          "one of the values inside the shader, chosen by a uniform",
          {{"value", "", "the view's numbers"}},
          {frame, normal, gradient, basis_vertex, vertex_color, uv, volume, normal_derivatives, moved_position,
           moved_uv, opacity, cutoff},
          {"stage/debug.glsl"},
+         false,
          true,
          false},
     };
@@ -51,6 +64,10 @@ const EntryPoint* find_entry_point(std::string_view name) {
 
 std::vector<ir::Output> needed_outputs(const EntryPoint& entry, const ir::Module& module) {
     std::vector<ir::Output> out = entry.outputs;
+    if (entry.lit) {
+        const std::vector<ir::Output>& inputs = ir::all_lighting_models()[module.lighting].inputs;
+        out.insert(out.end(), inputs.begin(), inputs.end());
+    }
     if (!entry.shows_opacity && !module.output(ir::Output::cutoff).valid())
         std::erase(out, ir::Output::opacity);
     return out;

@@ -6,6 +6,7 @@
 
 #include "base/ice.hpp"
 #include "emit/body.hpp"
+#include "ir/lighting.hpp"
 
 namespace sg::emit {
 namespace {
@@ -130,6 +131,23 @@ std::string alpha_test(const ir::Module& module, const Body& body) {
                        body.operand(cutoff));
 }
 
+const ir::LightingModel& lighting_of(const ir::Module& module) {
+    return ir::all_lighting_models()[module.lighting];
+}
+
+std::string lit_tail(const ir::Module& module, const Body& body) {
+    const ir::LightingModel& model = lighting_of(module);
+    std::string inputs;
+    for (Output input : model.inputs)
+        inputs += (inputs.empty() ? "" : ", ") + body.operand(module.output(input));
+    return fmt::format(
+        "    {0} sg_surface = {0}({1});\n"
+        "    vec3 sg_radiance = sg_{2}_radiance(sg_surface, {3}, sg_stage_lights(sg_in_position));\n"
+        "    sg_out_color = vec4(sg_radiance, {4});\n",
+        model.surface, inputs, model.name, body.operand(module.output(Output::normal)),
+        body.operand(module.output(Output::opacity)));
+}
+
 std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body,
                  EntryInterface& interface) {
     auto operand = [&](Output output) { return body.operand(module.output(output)); };
@@ -147,14 +165,8 @@ std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& 
                    operand(Output::roughness), operand(Output::metallic), operand(Output::occlusion),
                    operand(Output::emission));
     }
-    SG_ASSERT(entry.name == "forward");
-    return out + fmt::format(
-                     "    SgSurface sg_surface = SgSurface({}, {}, {}, {}, {});\n"
-                     "    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, {});\n"
-                     "    sg_out_color = vec4(sg_radiance, {});\n",
-                     operand(Output::base_color), operand(Output::metallic), operand(Output::roughness),
-                     operand(Output::occlusion), operand(Output::emission), operand(Output::normal),
-                     operand(Output::opacity));
+    SG_ASSERT(entry.lit);
+    return out + lit_tail(module, body);
 }
 
 struct Used {
@@ -229,8 +241,8 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     Body body(module, material);
     Used used = used_by(module);
     out.interface.varyings = varyings_of(module);
-    if (entry.name == "forward" && std::none_of(out.interface.varyings.begin(), out.interface.varyings.end(),
-                                                [](const Varying& v) { return v.source == Op::position; })) {
+    if (entry.lit && std::none_of(out.interface.varyings.begin(), out.interface.varyings.end(),
+                                  [](const Varying& v) { return v.source == Op::position; })) {
         out.interface.varyings.insert(out.interface.varyings.begin(),
                                       {Op::position, 0});  // lighting needs it
     }
@@ -241,6 +253,8 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
 
     std::set<std::string_view> includes = body.includes();
     includes.insert(entry.includes.begin(), entry.includes.end());
+    const std::string lighting = fmt::format("lighting/{}.glsl", lighting_of(module).name);
+    if (entry.lit) includes.insert(lighting);
     std::string text = head(module, "fragment", entry.name) + include_lines(includes);
     for (std::uint32_t shader : used.shaders) {
         const ir::Shader& file = module.shaders[shader];

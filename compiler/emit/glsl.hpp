@@ -26,6 +26,7 @@ struct EntryPoint {
     std::vector<Attachment> attachments;     // by location
     std::vector<ir::Output> outputs;         // of the module
     std::vector<std::string_view> includes;  // that the entry's own lines need
+    bool lit = false;                        // by the module's lighting model
     bool reads_frame_block = false;          // in the fragment stage
     bool shows_opacity = false;              // else it is there for the alpha test alone
 };

@@ -12,6 +12,7 @@
 #include "ir/reference/from_volume.hpp"
 #include "ir/reference/height_map.hpp"
 #include "ir/reference/legacy.hpp"
+#include "ir/reference/lighting.hpp"
 #include "ir/reference/number.hpp"
 #include "ir/reference/parallax.hpp"
 #include "ir/reference/resolve.hpp"
@@ -72,7 +73,13 @@ constexpr std::string_view kName<ref::Noise> = "SgNoise";
 template <>
 constexpr std::string_view kName<ref::Parallax> = "SgParallax";
 template <>
+constexpr std::string_view kName<ref::GgxSurface> = "SgGgxSurface";
+template <>
+constexpr std::string_view kName<ref::Lights> = "SgLights";
+template <>
 constexpr std::string_view kName<ref::Phong> = "SgPhong";
+template <>
+constexpr std::string_view kName<ref::PhongSurface> = "SgPhongSurface";
 template <>
 constexpr std::string_view kName<ref::ScreenDerivatives> = "SgScreenDerivatives";
 template <>
@@ -293,13 +300,24 @@ Rows parallax_and_legacy_rows() {
     };
 }
 
+Rows lighting_rows() {
+    return {
+        Row{"sg_ggx_distribution", ref::ggx_distribution},
+        Row{"sg_ggx_visibility", ref::ggx_visibility},
+        Row{"sg_fresnel", ref::fresnel},
+        Row{"sg_ggx", ref::ggx},
+        Row{"sg_ggx_radiance", ref::ggx_radiance},
+        Row{"sg_phong_radiance", ref::phong_radiance},
+    };
+}
+
 }  // namespace
 
 std::span<const LibraryFunction> library_functions() {
     static const Rows all = [] {
         Rows rows;
-        for (const Rows& part :
-             {surface_rows(), texture_rows(), noise_rows(), decal_rows(), parallax_and_legacy_rows()})
+        for (const Rows& part : {surface_rows(), texture_rows(), noise_rows(), decal_rows(),
+                                 parallax_and_legacy_rows(), lighting_rows()})
             rows.insert(rows.end(), part.begin(), part.end());
         return rows;
     }();

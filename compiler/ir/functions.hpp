@@ -1,7 +1,7 @@
-// The library's functions in double precision: ONE table, a row per function of shader_lib/surfgrad/, with
-// the signature that the row's C++ types mean in GLSL. The interpreter's operations (evaluate_ops.cpp) and
-// the proofs of the library evaluate the same functions; tests/shader_lib names a function without a row, or
-// one whose signature differs.
+// The library's functions in double precision: ONE table, a row per function of shader_lib/surfgrad/ and
+// lighting/, with the signature that the row's C++ types mean in GLSL. The interpreter's operations
+// (evaluate_ops.cpp) and the proofs of the library evaluate the same functions; tests/shader_lib names a
+// function without a row, or one whose signature differs.
 #pragma once
 
 #include <any>

@@ -172,6 +172,8 @@ enum class Output : std::uint8_t {
     base_color,
     metallic,
     roughness,
+    specular,   // of models without metallic and roughness
+    shininess,  // likewise
     occlusion,
     emission,
     opacity,
@@ -202,6 +204,7 @@ std::span<const Output> all_outputs();
 
 struct Module {
     std::string name;
+    std::uint32_t lighting = 0;  // into all_lighting_models()
     std::vector<Texture> textures;
     std::vector<Parameter> parameters;
     std::vector<Value> host;  // on parameters alone; operands are earlier values of this list

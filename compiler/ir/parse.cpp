@@ -3,6 +3,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "ir/lighting.hpp"
 #include "ir/text.hpp"
 
 namespace sg::ir {
@@ -122,6 +123,11 @@ private:
         std::string_view word = in.word();
         if (word == "module") {
             module.name = in.quoted('"');
+        } else if (word == "lighting") {
+            std::string_view name = in.word();
+            auto model = find_lighting_model(name);
+            if (!model) in.fail(fmt::format("unknown lighting model '{}'", name));
+            module.lighting = model.value_or(0);
         } else if (word == "texture") {
             texture(in);
         } else if (word == "parameter") {

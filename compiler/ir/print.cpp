@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "ir/ir.hpp"
+#include "ir/lighting.hpp"
 
 namespace sg::ir {
 namespace {
@@ -43,6 +43,8 @@ std::string value_line(std::size_t i, const Value& value) {
 
 std::string print(const Module& module) {
     std::string out = "module " + quoted(module.name, '"') + "\n";
+    if (module.lighting != 0)
+        out += fmt::format("lighting {}\n", all_lighting_models()[module.lighting].name);
     for (std::size_t i = 0; i < module.textures.size(); ++i) {
         const Texture& texture = module.textures[i];
         out +=

@@ -1,6 +1,7 @@
 // The text form of a module, line by line ('#' starts a comment that reaches to the end of the line):
 //
 //   module "brick"
+//   lighting phong                    a lighting model that is not the default
 //   texture 0 "scan" tangent_normal
 //   parameter 0 "detail" : Scalar 0 4     the range of each component, where there is one
 //   host %0 = parameter 0 : Scalar    computed before drawing, from parameters alone

@@ -133,6 +133,11 @@ enum CommonField : std::size_t { kStrength, kMask, kBlend, kCommonFields };
 enum Blend : std::uint32_t { kBlendAdd, kBlendMix };
 std::span<const Field> common_fields();
 
+// What `surface` says of the surface, apart from its choices (surface_fields.cpp). The lighting model decides
+// which of them a material may have (ir/lighting.hpp).
+std::span<const Field> surface_fields();
+ir::Output surface_output(const Field& field);
+
 struct NodeKind {
     std::string_view name;
     std::string_view doc;

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "ir/lighting.hpp"
 #include "material/checker.hpp"
 
 namespace sg::material {
-
-using layers::FieldKind;
 
 CheckedLayer Checker::layer(const LayerDecl& decl) {
     ++layer_count;
@@ -96,20 +95,21 @@ void Checker::parameters() {
 
 void Checker::surface() {
     const SurfaceDecl& s = in.surface;
-    expression(s.base_color, FieldKind::color, {0, 1}, out.surface.base_color);
-    expression(s.metallic, FieldKind::number, {0, 1}, out.surface.metallic);
-    expression(s.roughness, FieldKind::number, {0, 1}, out.surface.roughness);
-    expression(s.occlusion, FieldKind::number, {0, 1}, out.surface.occlusion);
-    expression(s.emission, FieldKind::color, {0, 1e4}, out.surface.emission);
-    expression(s.opacity, FieldKind::number, {0, 1}, out.surface.opacity);
-    out.surface.base_color.field = "base_color";
-    out.surface.metallic.field = "metallic";
-    out.surface.roughness.field = "roughness";
-    out.surface.occlusion.field = "occlusion";
-    out.surface.emission.field = "emission";
-    out.surface.opacity.field = "opacity";
-    out.surface.alpha_test = s.alpha_test;
-    out.surface.two_sided = s.two_sided;
+    out.surface = {s.lighting, values("'surface'", layers::surface_fields(), s.entries), s.alpha_test,
+                   s.two_sided};
+    const ir::LightingModel& model = ir::all_lighting_models()[s.lighting];
+    for (const FieldEntry& entry : s.entries) {
+        const layers::Field& field = layers::surface_fields()[entry.field];
+        const ir::Output input = layers::surface_output(field);
+        if (s.unlit || ir::has_input(model, input)) continue;
+        std::vector<std::string_view> others;
+        for (const ir::LightingModel& other : ir::all_lighting_models()) {
+            if (ir::has_input(other, input)) others.push_back(other.name);
+        }
+        error(Code::unused_setting, entry.at,
+              fmt::format("'{}' means nothing for the lighting '{}', expected it beside the lighting {} only",
+                          field.name, model.name, one_of(others)));
+    }
 }
 
 std::string_view parameter_type_name(ParameterType type) {

@@ -67,7 +67,8 @@ struct CheckedParallax {
 };
 
 struct CheckedSurface {
-    layers::FieldValue base_color, metallic, roughness, occlusion, emission, opacity;
+    std::uint32_t lighting = 0;              // into ir::all_lighting_models()
+    std::vector<layers::FieldValue> values;  // one per field of layers::surface_fields()
     std::optional<double> alpha_test;
     TwoSided two_sided = TwoSided::off;
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/ice.hpp"
+#include "ir/lighting.hpp"
 #include "layers/lower_context.hpp"
 #include "material/checked.hpp"
 
@@ -43,6 +44,7 @@ private:
     static ir::Module declarations(const CheckedMaterial& material) {
         ir::Module module;
         module.name = material.name;
+        module.lighting = material.surface.lighting;
         for (const CheckedParameter& p : material.parameters)
             module.parameters.push_back({p.name, ir_type(p.type), p.range});
         for (const CheckedTexture& t : material.textures) module.textures.push_back({t.name, t.encoding});
@@ -114,17 +116,34 @@ private:
 
     void surface(ValueId normal) {
         const CheckedSurface& s = material_.surface;
+        const ir::LightingModel& model = ir::all_lighting_models()[module_.lighting];
         builder_.output(ir::Output::normal, normal);
         // What a surface's nodes see is the stage that the layers ended with.
-        builder_.output(ir::Output::base_color, context_.color(s.base_color));
-        builder_.output(ir::Output::metallic, context_.number(s.metallic));
-        builder_.output(ir::Output::roughness, context_.number(s.roughness));
-        builder_.output(ir::Output::occlusion, context_.number(s.occlusion));
-        builder_.output(ir::Output::emission, context_.color(s.emission));
-        builder_.output(ir::Output::opacity, context_.number(s.opacity));
+        for (std::size_t i = 0; i < s.values.size(); ++i) {
+            const layers::Field& field = layers::surface_fields()[i];
+            const ir::Output output = layers::surface_output(field);
+            if (!ir::has_input(model, output)) continue;
+            const bool color = field.kind == layers::FieldKind::color;
+            builder_.output(output, color ? context_.color(s.values[i]) : context_.number(s.values[i]));
+        }
+        without_microfacets();
         if (s.alpha_test)
             builder_.output(ir::Output::cutoff,
                             context_.written(*s.alpha_test, "alpha_test", {&s.alpha_test}));
+    }
+
+    // A g-buffer and who calls the function know metallic and roughness. A model without them is no metal,
+    // and as rough as the GGX highlight that is as wide as its own: cos^s of the angle to the mirrored light
+    // is about cos^4s of half of it, and alpha^2 = 2 / (4 s + 2) (Walter et al. 2007, section 5.2).
+    void without_microfacets() {
+        using enum ir::Output;
+        if (!module_.output(metallic).valid()) builder_.output(metallic, context_.constant(0));
+        if (module_.output(roughness).valid()) return;
+        ValueId shine = module_.output(shininess);
+        if (!shine.valid()) return builder_.output(roughness, context_.constant(0.5));
+        ValueId sharpness = builder_.add(
+            Op::add, {builder_.add(Op::multiply, {context_.constant(2), shine}), context_.constant(1)});
+        builder_.output(roughness, builder_.add(Op::power, {sharpness, context_.constant(-0.25)}));
     }
 
     // What the debug entry shows of the inputs.

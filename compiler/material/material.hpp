@@ -141,12 +141,9 @@ struct StageDecl {
 
 enum class TwoSided { off, mirror, flip };
 struct SurfaceDecl {
-    Expression base_color{.numbers = {0.5, 0.5, 0.5}};
-    Expression metallic{.numbers = {0}};
-    Expression roughness{.numbers = {0.5}};
-    Expression occlusion{.numbers = {1}};
-    Expression emission{.numbers = {0, 0, 0}};
-    Expression opacity{.numbers = {1}};
+    std::uint32_t lighting = 0;       // into ir::all_lighting_models()
+    bool unlit = false;               // it was reported; what it is told is not
+    std::vector<FieldEntry> entries;  // of layers::surface_fields()
     std::optional<double> alpha_test;
     TwoSided two_sided = TwoSided::off;
 };

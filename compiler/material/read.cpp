@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/lighting.hpp"
 #include "material/reader.hpp"
 
 namespace sg::material {
@@ -110,18 +111,15 @@ void Reader::texture(const json::Member& member, const std::string& pointer) {
 }
 
 void Reader::surface(const Value& value, const std::string& pointer) {
-    ObjectReader reader = object(value, pointer, "'surface'",
-                                 {"base_color", "metallic", "roughness", "occlusion", "emission", "opacity",
-                                  "alpha_test", "two_sided"});
-    auto set = [&](Expression& slot, std::string_view key, std::size_t count, double maximum) {
-        if (auto found = expression(reader, key, count, {0, maximum}, false, true)) slot = std::move(*found);
-    };
-    set(out.surface.base_color, "base_color", 3, 1);
-    set(out.surface.metallic, "metallic", 1, 1);
-    set(out.surface.roughness, "roughness", 1, 1);
-    set(out.surface.occlusion, "occlusion", 1, 1);
-    set(out.surface.emission, "emission", 3, 1e4);
-    set(out.surface.opacity, "opacity", 1, 1);
+    std::vector<std::string_view> keys = {"lighting"}, models;
+    for (const layers::Field& field : layers::surface_fields()) keys.push_back(field.name);
+    keys.insert(keys.end(), {"alpha_test", "two_sided"});
+    ObjectReader reader = object(value, pointer, "'surface'", keys);
+    for (const ir::LightingModel& model : ir::all_lighting_models()) models.push_back(model.name);
+    auto lighting = reader.choice("lighting", models, false);
+    out.surface.lighting = static_cast<std::uint32_t>(lighting.value_or(0));
+    out.surface.unlit = !lighting && reader.get("lighting");
+    out.surface.entries = entries(reader, layers::surface_fields());
     out.surface.alpha_test = reader.number("alpha_test", {0, 1});
     out.surface.two_sided =
         static_cast<TwoSided>(reader.choice("two_sided", {"off", "mirror", "flip"}).value_or(0));

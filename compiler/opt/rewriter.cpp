@@ -23,6 +23,7 @@ bool equal(const Value& a, const Value& b) {
 Rewriter::Rewriter(const ir::Module& declarations, std::string_view skipped, Log* log)
     : skipped_(skipped), log_(log), buckets_(64) {
     module_.name = declarations.name;
+    module_.lighting = declarations.lighting;
     module_.textures = declarations.textures;
     module_.parameters = declarations.parameters;
     module_.host = declarations.host;

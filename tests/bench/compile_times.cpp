@@ -43,7 +43,8 @@ struct Stages {
     }
     void emit() {
         const emit::EntryPoint& entry = *emit::find_entry_point("forward");
-        shaders = emit::emit_glsl(opt::select_outputs(optimised, entry.outputs), entry, interface);
+        shaders = emit::emit_glsl(opt::select_outputs(optimised, emit::needed_outputs(entry, optimised)),
+                                  entry, interface);
     }
     void front_end() {
         auto made = target::front_end(shaders.fragment, "forward.frag", target::Stage::fragment, library,

@@ -53,7 +53,8 @@ Run run_once(const SourcePtr& source) {
     lap();
     const emit::EntryPoint& entry = *emit::find_entry_point("forward");
     emit::MaterialInterface interface = emit::material_interface(optimised, {});
-    emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(optimised, entry.outputs), entry, interface);
+    emit::Shaders shaders = emit::emit_glsl(
+        opt::select_outputs(optimised, emit::needed_outputs(entry, optimised)), entry, interface);
     lap();
     out.times[stage] = last - begin;
     out.values = optimised.values.size();

@@ -51,7 +51,8 @@ public:
         ir::Module module = treatment.optimise ? opt::optimise(lowered_, treatment.without) : lowered_;
         const emit::EntryPoint& entry = *emit::find_entry_point("forward");
         emit::MaterialInterface interface = emit::material_interface(module, groups_);
-        emit::Shaders shaders = emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry, interface);
+        emit::Shaders shaders = emit::emit_glsl(
+            opt::select_outputs(module, emit::needed_outputs(entry, module)), entry, interface);
         return to_spirv(shaders.fragment, stem_ + ".frag", target::Stage::fragment, library, {});
     }
 
@@ -103,7 +104,7 @@ std::string with_our_parts(std::string text) {
     replace(text, "#include \"sg_lib.glsl\"\n",
             "#include \"sg_lib.glsl\"\n#include \"lighting/ggx.glsl\"\n#include \"surfgrad/noise.glsl\"\n"
             "vec3 our_shade(vec3 n, vec3 v, vec3 l, vec3 color, float roughness, float metallic) {\n"
-            "    vec3 direct = sg_ggx(SgSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, "
+            "    vec3 direct = sg_ggx(SgGgxSurface(color, metallic, roughness, 1.0, vec3(0.0)), n, v, l, "
             "frame.lightColor.rgb);\n"
             "    vec3 f0 = mix(vec3(0.04), color, metallic);\n"
             "    return direct + mix(color, f0, metallic) * frame.ambient.rgb;\n}\n"

@@ -21,7 +21,7 @@ std::string fragment_of(std::string text) {
     const emit::EntryPoint& entry = *emit::find_entry_point("forward");
     ir::Module module = opt::optimise(material::lower(*checked));
     EXPECT_GE(module.values.size(), kNodes);
-    return emit::emit_glsl(opt::select_outputs(module, entry.outputs), entry,
+    return emit::emit_glsl(opt::select_outputs(module, emit::needed_outputs(entry, module)), entry,
                            emit::material_interface(module, {}))
         .fragment;
 }

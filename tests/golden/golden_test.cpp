@@ -10,6 +10,7 @@
 #include "compile.hpp"
 #include "emit/glsl.hpp"
 #include "explain.hpp"
+#include "ir/lighting.hpp"
 #include "layers/kind.hpp"
 #include "tests/support/golden.hpp"
 
@@ -97,7 +98,8 @@ TEST_P(Sample, NoDerivativeInstructionStandsBehindAnAlphaTest) {
     for (const NamedText& t : compile(GetParam()).glsl) {
         const std::size_t discarded = t.text.find("discard;");
         if (discarded == t.text.npos) continue;
-        for (const char* call : {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(", "sg_stage_normal_derivatives("}) {
+        for (const char* call :
+             {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(", "sg_stage_normal_derivatives("}) {
             const std::size_t last = t.text.rfind(call);
             EXPECT_TRUE(last == t.text.npos || last < discarded) << t.name << ": " << call;
         }
@@ -164,6 +166,20 @@ TEST(Samples, EveryLayerKindHasOne) {
     for (const layers::ParallaxKind& kind : layers::all_parallax_kinds()) {
         EXPECT_TRUE(stems.count(fmt::format("parallax_{}", kind.name)))
             << "materials/parallax_" << kind.name << ".json is missing";
+    }
+}
+
+TEST(Samples, EveryLightingModelHasOne) {
+    std::string manifests;
+    for (const fs::path& path : samples())
+        manifests += test::read_file(test::source_dir() / "tests/golden" / path.stem() / "manifest.json");
+    for (const ir::LightingModel& model : ir::all_lighting_models()) {
+        EXPECT_NE(manifests.find(fmt::format("\"lighting\": \"{}\"", model.name)), std::string::npos)
+            << "no sample has the lighting '" << model.name << "'";
+        const fs::path file = test::source_dir() / fmt::format("shader_lib/lighting/{}.glsl", model.name);
+        EXPECT_NE(test::read_file(file).find(fmt::format("sg_{}_radiance({} ", model.name, model.surface)),
+                  std::string::npos)
+            << file;
     }
 }
 

@@ -26,9 +26,11 @@ std::string defined_function(const std::string& line) {
 
 std::vector<std::string> library_files() {
     std::vector<std::string> out;
-    for (const auto& entry : std::filesystem::directory_iterator(SG_SOURCE_DIR "/shader_lib/surfgrad")) {
-        if (entry.path().extension() == ".glsl")
-            out.push_back("surfgrad/" + entry.path().filename().string());
+    for (const std::string folder : {"lighting", "surfgrad"}) {
+        for (const auto& entry : std::filesystem::directory_iterator(SG_SOURCE_DIR "/shader_lib/" + folder)) {
+            if (entry.path().extension() == ".glsl")
+                out.push_back(folder + "/" + entry.path().filename().string());
+        }
     }
     std::sort(out.begin(), out.end());
     return out;

@@ -7,7 +7,7 @@
 
 namespace sg::proof {
 
-// Every file of shader_lib/surfgrad/, as include names ("surfgrad/uv.glsl"), sorted.
+// Every file of shader_lib/surfgrad/ and lighting/, as include names ("surfgrad/uv.glsl"), sorted.
 std::vector<std::string> library_files();
 
 // Function name -> the file that defines it, for every file above. Overloads share a name.

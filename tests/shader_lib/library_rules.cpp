@@ -1,5 +1,5 @@
-// What holds for every file of shader_lib/surfgrad/: compiles alone, declares nothing that belongs to a
-// stage, prefixes its names, documents every function, and returns once per function.
+// What holds for every file of shader_lib/surfgrad/ and lighting/: compiles alone, declares nothing that
+// belongs to a stage, prefixes its names, documents every function, and returns once per function.
 #include <gtest/gtest.h>
 
 #include <sstream>

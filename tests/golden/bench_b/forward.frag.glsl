@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // five layers, all parameters: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -95,7 +96,7 @@ void main() {
     vec3 m_add_volgrad_2 = m_add_volgrad + sg_combine_mask(sg_material.p_decal_strength * m_sign_gradient, m_sign_coverage);
     vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad_2);
     vec4 m_texel = sg_sample(t_stone, s_0, m_uv0);
-    SgSurface sg_surface = SgSurface(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_add_surfgrad));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_add_surfgrad), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, sg_material.p_opacity * m_texel.w);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // parallax and three resolves, all parameters: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/moved.glsl"
@@ -157,7 +158,7 @@ void main() {
     vec4 m_texel = sg_sample(t_stone, s_0, m_seen_uv);
     vec3 m_marked = mix(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb, m_plaster_coverage);
     float m_mix = mix(mix(mix(sg_material.p_roughness, 0.4, m_sign_coverage), 0.4, m_plaster_coverage), 0.1, m_wet);
-    SgSurface sg_surface = SgSurface(m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_metallic, m_mix, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_normal_3, sg_combine_mask(m_film, m_wet)));
+    SgGgxSurface sg_surface = SgGgxSurface(m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_metallic, m_mix, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal_3, sg_combine_mask(m_film, m_wet)), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, sg_material.p_opacity * m_texel.w);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // blend methods: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/combine.glsl"
@@ -62,7 +63,7 @@ void main() {
     vec3 m_rnm = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(sg_combine_rnm(m_whiteout_m, sg_normal_from_deriv(m_rnm_deriv))), m_pd_basis);
 
     vec3 m_mix_surfgrad_2 = sg_combine_mix(sg_combine_mix(m_mix_surfgrad, m_weighted, sg_smoothstep(0.07, 0.09, m_height)), m_rnm, sg_smoothstep(0.25, 0.27, m_height));
-    SgSurface sg_surface = SgSurface(vec3(0.55, 0.5, 0.45), 0.0, 0.6, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_mix_surfgrad_2));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.55, 0.5, 0.45), 0.0, 0.6, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_mix_surfgrad_2), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

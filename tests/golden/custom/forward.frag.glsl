@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // bumps of one's own: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -75,7 +76,7 @@ void main() {
     // stones: custom
     vec3 m_stones = 0.05 * c_stones(m_frame, t_pebble, s_0, sg_stage_uv(sg_in_uv0), vec2(4.0, 2.0));
 
-    SgSurface sg_surface = SgSurface(vec3(0.5, 0.42, 0.33), 0.0, 0.6, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_dents + m_weave + m_stones));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.5, 0.42, 0.33), 0.0, 0.6, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_dents + m_weave + m_stones), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

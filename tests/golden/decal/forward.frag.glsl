@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // marked torus: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -81,7 +82,7 @@ void main() {
 
     vec3 m_mix_volgrad = sg_combine_mix(m_add_volgrad + m_wedge_mask_volgrad, m_bricks_gradient_from_object, m_bricks_falloff);
     vec3 m_mix_color = mix(vec3(0.5, 0.48, 0.44), sg_sample(t_stone, s_0, m_bricks_decal.uv).rgb * vec3(1.0, 0.4, 0.25), m_bricks_falloff);
-    SgSurface sg_surface = SgSurface(m_mix_color, 0.0, 0.65, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_mix_volgrad)));
+    SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, 0.65, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_mix_volgrad)), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

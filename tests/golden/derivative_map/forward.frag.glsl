@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // woven cloth: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -27,7 +28,7 @@ void main() {
     SgUv m_layer_1_uv = sg_uv_transform(sg_stage_uv(sg_in_uv0), vec2(8.0, 4.0), 0.5235988, vec2(0.0));
     vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_from_map(sg_decode_signed(sg_sample(t_weave, s_0, m_layer_1_uv).xy, 127.5), 4.0), sg_basis_uv(m_frame, m_layer_1_uv));
 
-    SgSurface sg_surface = SgSurface(vec3(0.2, 0.25, 0.5), 0.0, 0.85, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_layer_1));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.2, 0.25, 0.5), 0.0, 0.85, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_layer_1), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

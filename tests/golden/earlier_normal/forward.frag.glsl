@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // puddles: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/combine.glsl"
@@ -53,7 +54,7 @@ void main() {
     // layer 4: earlier_normal
     vec3 m_layer_4 = sg_surfgrad_from_normal(m_normal_3, m_base_normal);
 
-    SgSurface sg_surface = SgSurface(mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0, mix(0.8, 0.4, m_water), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_normal_3, sg_combine_mask(m_layer_4, sg_smoothstep(0.6, 0.9, m_water))));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0, mix(0.8, 0.4, m_water), 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal_3, sg_combine_mask(m_layer_4, sg_smoothstep(0.6, 0.9, m_water))), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

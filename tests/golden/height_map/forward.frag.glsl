@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // pebbles from a height map: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/frame.glsl"
@@ -37,7 +38,7 @@ void main() {
     vec3 m_wear_surfgrad_from_three_taps = sg_surfgrad_from_screen_height(m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
     vec3 m_wear = -0.04 * m_wear_surfgrad_from_three_taps;
 
-    SgSurface sg_surface = SgSurface(vec3(0.4, 0.38, 0.34), 0.0, 0.75, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_stones + m_grit + m_wear));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.4, 0.38, 0.34), 0.0, 0.75, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_stones + m_grit + m_wear), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // layered: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -54,7 +55,7 @@ void main() {
     vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5));
     vec3 m_scratches = sg_surfgrad_from_tbn(0.35 * m_scratches_deriv, sg_basis_mirror(m_basis_vertex, vec2(-4.0, 2.0)));
 
-    SgSurface sg_surface = SgSurface(sg_material.p_tint, 0.0, 0.55, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches));
+    SgGgxSurface sg_surface = SgGgxSurface(sg_material.p_tint, 0.0, 0.55, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

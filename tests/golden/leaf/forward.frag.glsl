@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // leaf: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -54,7 +55,7 @@ void main() {
     float m_mix = mix(0.35, 0.7, sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value));
     float m_subtract = 1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten;
     if (m_subtract < 0.58) discard;
-    SgSurface sg_surface = SgSurface(vec3(0.16, 0.5, 0.12) * sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow);
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.16, 0.5, 0.12) * sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow);
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, m_subtract);
 }

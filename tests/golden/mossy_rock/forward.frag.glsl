@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // mossy rock: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -63,7 +64,7 @@ void main() {
     float m_mossy = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * sg_smoothstep(0.1, 0.6, dot(m_normal, vec3(0.0, 1.0, 0.0)));
     vec3 m_normal_2 = sg_flip(sg_resolve(m_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)), sg_stage_facing());
     vec3 m_mix_color = mix(sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).rgb, vec3(0.08, 0.2, 0.03), m_mossy);
-    SgSurface sg_surface = SgSurface(m_mix_color, 0.0, mix(0.75, 0.4, m_mossy), sg_sample(t_moss, s_0, m_uv0).y * 0.3 + 0.7, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, m_normal_2);
+    SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, mix(0.75, 0.4, m_mossy), sg_sample(t_moss, s_0, m_uv0).y * 0.3 + 0.7, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal_2, sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // eroded plaster: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -38,7 +39,7 @@ void main() {
     vec3 m_grain_gradient = 45.0 * sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
 
     vec3 m_normal = sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + 0.0025 * m_grain_gradient));
-    SgSurface sg_surface = SgSurface(vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, m_normal);
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal, sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

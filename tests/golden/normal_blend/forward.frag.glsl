@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // blended maps: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/combine.glsl"
@@ -45,7 +46,7 @@ void main() {
     vec3 m_covered = sg_surfgrad_from_tbn(m_covered_deriv_2, sg_basis_uv(m_frame, m_uv0));
 
     float m_patch = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 2.0))).x;
-    SgSurface sg_surface = SgSurface(mix(vec3(0.45, 0.2, 0.12), vec3(0.5, 0.42, 0.3), m_patch), 0.0, 0.6, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, sg_combine_mix(m_scratched, m_covered, m_patch)));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.45, 0.2, 0.12), vec3(0.5, 0.42, 0.3), m_patch), 0.0, 0.6, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, sg_combine_mix(m_scratched, m_covered, m_patch)), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // brick wall: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -28,7 +29,7 @@ void main() {
     vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));
     vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(m_layer_1_deriv), sg_basis_uv(m_frame, m_uv0));
 
-    SgSurface sg_surface = SgSurface(vec3(0.45, 0.16, 0.1), 0.0, 0.7, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_layer_1));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.45, 0.16, 0.1), 0.0, 0.7, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_layer_1), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

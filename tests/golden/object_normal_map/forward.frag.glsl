@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // baked sphere: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -36,7 +37,7 @@ void main() {
     vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0));
     vec3 m_weave = sg_surfgrad_from_tbn(0.2 * m_weave_deriv, sg_basis_uv(m_frame, m_uv0));
 
-    SgSurface sg_surface = SgSurface(vec3(0.55, 0.5, 0.42), 0.0, 0.6, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_baked + m_weave));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.55, 0.5, 0.42), 0.0, 0.6, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_baked + m_weave), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // four things in one texture: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -33,7 +34,7 @@ void main() {
     vec4 m_texel = sg_sample(t_paint, s_0, m_weave_uv);
     float m_painted = m_texel.x;
     vec3 m_mix_color = mix(mix(vec3(0.1, 0.07, 0.05), vec3(0.55, 0.42, 0.3), m_texel.z), vec3(0.08, 0.2, 0.45), m_painted);
-    SgSurface sg_surface = SgSurface(m_mix_color, 0.0, m_painted * -0.5 + 0.85, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_weave));
+    SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, m_painted * -0.5 + 0.85, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_weave), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // carved pebbles, eroded: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/moved.glsl"
@@ -64,7 +65,7 @@ void main() {
     vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     vec3 m_add_volgrad = -0.1 * sg_stage_gradient_from_object(4.0 * m_dents_noise.gradient) + 0.25 * m_grain_gradient;
-    SgSurface sg_surface = SgSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)));
+    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // carved pebbles with fine detail: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/moved.glsl"
@@ -63,7 +64,7 @@ void main() {
     vec2 m_scratches_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5);
     vec3 m_scratches = sg_surfgrad_from_tbn(0.6 * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame_3, m_detail_uv1));
 
-    SgSurface sg_surface = SgSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.7, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_normal, m_weave + m_scratches));
+    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.7, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal, m_weave + m_scratches), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // pebbles, carved: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/view.glsl"
@@ -41,7 +42,7 @@ void main() {
     vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
     vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
 
-    SgSurface sg_surface = SgSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_parallax_moved_normal, m_stones));
+    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_parallax_moved_normal, m_stones), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

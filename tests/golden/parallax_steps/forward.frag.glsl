@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // pebbles, four steps with a parallax map: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/view.glsl"
@@ -49,7 +50,7 @@ void main() {
     vec2 m_stones_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_stones_uv).xyz, 127.0));
     vec3 m_stones = sg_surfgrad_from_tbn(sg_deriv_green_up(m_stones_deriv), sg_basis_resolved(sg_basis_vertex(sg_in_normal, sg_in_tangent), m_parallax_moved_normal_2));
 
-    SgSurface sg_surface = SgSurface(sg_sample(t_stone, s_0, m_stones_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_parallax_moved_normal_2, m_stones));
+    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_stones_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_parallax_moved_normal_2, m_stones), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

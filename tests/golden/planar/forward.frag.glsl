@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // rain on stone: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/combine.glsl"
@@ -35,7 +36,7 @@ void main() {
     // rain: planar
     vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(m_rain_gradient, m_top));
 
-    SgSurface sg_surface = SgSurface(mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_rain));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_rain), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // painted bricks: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -49,7 +50,7 @@ void main() {
     vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, sg_material.d_subtract));
 
     vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
-    SgSurface sg_surface = SgSurface(mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_bumps + m_cracks));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_bumps + m_cracks), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

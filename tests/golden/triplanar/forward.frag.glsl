@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // triplanar rock: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -35,7 +36,7 @@ void main() {
     vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
     vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient));
 
-    SgSurface sg_surface = SgSurface(vec3(0.42, 0.4, 0.37), 0.0, 0.8, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_rock));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.42, 0.4, 0.37), 0.0, 0.8, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_rock), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

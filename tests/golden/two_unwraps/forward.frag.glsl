@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // two unwraps: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -38,7 +39,7 @@ void main() {
     vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
     vec3 m_scratches = sg_surfgrad_from_tbn(sg_material.p_scratch_depth * m_scratches_deriv, sg_basis_uv(m_frame, m_uv1));
 
-    SgSurface sg_surface = SgSurface(vec3(0.9, 0.6, 0.32), 1.0, 0.4, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_weave + m_scratches));
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.9, 0.6, 0.32), 1.0, 0.4, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_weave + m_scratches), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // water: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
@@ -43,7 +44,7 @@ void main() {
     vec3 m_chop = sg_surfgrad_from_tbn(sg_material.d_multiply * sg_deriv_green_up(m_chop_deriv), sg_basis_uv(m_frame, m_chop_uv));
 
     vec3 m_mix_color = mix(sg_material.p_depth, vec3(0.02, 0.16, 0.14), sg_smoothstep(-0.2, 0.9, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
-    SgSurface sg_surface = SgSurface(m_mix_color, 0.0, 0.15, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_swell + m_chop));
+    SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, 0.15, 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_swell + m_chop), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

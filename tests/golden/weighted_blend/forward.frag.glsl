@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // bricks that wear to cloth: fragment shader of the entry point 'forward', made by surfgradc.
 
+#include "lighting/ggx.glsl"
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
@@ -37,7 +38,7 @@ void main() {
     vec3 m_wall_surfgrad_from_tbn = sg_surfgrad_from_tbn((1.0 - m_worn) * sg_deriv_green_up(m_wall_deriv), sg_basis_vertex(sg_in_normal, sg_in_tangent));
     vec3 m_wall = m_wall_surfgrad_from_tbn + sg_surfgrad_from_tbn(m_worn * m_wall_deriv_2, sg_basis_uv(m_frame, m_uv0));
 
-    SgSurface sg_surface = SgSurface(mix(vec3(0.45, 0.2, 0.13), vec3(0.3, 0.33, 0.42), m_worn), 0.0, mix(0.7, 0.9, m_worn), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_stage_forward(sg_surface, sg_in_position, sg_resolve(m_base_normal, m_wall));
+    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.45, 0.2, 0.13), vec3(0.3, 0.33, 0.42), m_worn), 0.0, mix(0.7, 0.9, m_worn), 1.0, vec3(0.0));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_wall), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

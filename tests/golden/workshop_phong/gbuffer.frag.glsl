@@ -1,0 +1,34 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// workshop phong: fragment shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/fragment.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+
+layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
+    vec3 p_specular_intensity;
+    float p_specular_power;
+    float d_power;
+} sg_material;
+layout(set = 1, binding = 1) uniform texture2D t_color_map;
+layout(set = 1, binding = 2) uniform texture2D t_normal_map;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 2) in vec4 sg_in_tangent;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_base_color;
+layout(location = 1) out vec4 sg_out_normal;
+layout(location = 2) out vec4 sg_out_surface;
+layout(location = 3) out vec4 sg_out_emission;
+
+void main() {
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_sample(t_normal_map, s_0, m_uv0).xyz, 127.5), vec2(1.0, -1.0));
+    sg_out_base_color = vec4(sg_sample(t_color_map, s_0, m_uv0).rgb, 1.0);
+    sg_out_normal = vec4(m_normal, sg_material.d_power);
+    sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
+    sg_out_emission = vec4(vec3(0.0), 1.0);
+}
