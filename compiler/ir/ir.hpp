@@ -254,7 +254,15 @@ private:
     LayerId layer_;
 };
 
-// "" or what is wrong with the module, one line per fault, each naming the value.
+struct ModuleFault {
+    struct Where {
+        enum class Of : std::uint8_t { value, host, derived, output } of{};  // which list of the module
+        std::size_t index = 0;
+    } where;
+    std::string what;
+};
+std::vector<ModuleFault> faults_of(const Module& module);
+// The same as text: "" or one line per fault, each naming the value.
 std::string verify(const Module& module);
 
 // The text form; parse(print(m)) prints the same. Grammar in ir/text.hpp.

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -254,19 +255,81 @@ private:
     LayerId layer_;
 };
 
+// The statements of a text, one line at a time.
+struct Lines {
+    std::string_view text;
+    Span line;
+    std::size_t number = 0;
+    std::size_t next = 0;
+
+    bool advance() {
+        if (next >= text.size()) return false;
+        const std::size_t begin = next, end = std::min(text.find('\n', begin), text.size());
+        next = end + 1;
+        ++number;
+        line = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        return true;
+    }
+    [[nodiscard]] std::string_view statement() const {
+        return text.substr(line.begin, line.end - line.begin);
+    }
+};
+
+// Where the statements stand that faults may be of.
+struct Places {
+    std::vector<Span> values, host, derived, outputs;
+
+    void note(const Module& module, Span line) {
+        values.resize(module.values.size(), line);
+        host.resize(module.host.size(), line);
+        derived.resize(module.derived.size(), line);
+        outputs.resize(module.outputs.size(), line);
+    }
+    [[nodiscard]] Span of(ModuleFault::Where where) const {
+        const std::vector<Span>* lists[] = {&values, &host, &derived, &outputs};
+        return (*lists[static_cast<std::size_t>(where.of)])[where.index];
+    }
+};
+
+// What an error underlines: the line without the blanks around it.
+Span shown(std::string_view text, Span line) {
+    while (line.begin < line.end && text[line.begin] == ' ') ++line.begin;
+    while (line.end > line.begin && (text[line.end - 1] == ' ' || text[line.end - 1] == '\r')) --line.end;
+    return line;
+}
+
 }  // namespace
 
 std::optional<Module> parse(std::string_view text, std::string& fault) {
     Parser parser;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        std::size_t end = std::min(text.find('\n'), text.size());
+    for (Lines lines{text}; lines.advance();) {
         std::string why;
-        if (!parser.line(text.substr(0, end), why)) {
-            fault = fmt::format("line {}: {}", number, why);
+        if (parser.line(lines.statement(), why)) continue;
+        fault = fmt::format("line {}: {}", lines.number, why);
+        return std::nullopt;
+    }
+    return std::move(parser.module);
+}
+
+std::optional<Module> read(const SourcePtr& source, Diags& diags) {
+    auto error = [&](Span line, std::string what) {
+        auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == '\x7F'; };
+        std::replace_if(what.begin(), what.end(), control, '?');
+        diags.error(Code::module_fault, {source, shown(source->text, line), ""}, std::move(what));
+    };
+    Parser parser;
+    Places places;
+    for (Lines lines{source->text}; lines.advance();) {
+        std::string why;
+        if (!parser.line(lines.statement(), why)) {
+            error(lines.line, why);
             return std::nullopt;
         }
-        text.remove_prefix(std::min(end + 1, text.size()));
+        places.note(parser.module, lines.line);
     }
+    const std::vector<ModuleFault> faults = faults_of(parser.module);
+    for (const ModuleFault& fault : faults) error(places.of(fault.where), fault.what);
+    if (!faults.empty()) return std::nullopt;
     return std::move(parser.module);
 }
 

@@ -25,6 +25,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/diag.hpp"
 #include "ir/ir.hpp"
 
 namespace sg::ir {
@@ -32,5 +33,8 @@ namespace sg::ir {
 // Reads the text form. A fault gives nothing and says in `fault` which line and why. The result is not
 // verified.
 std::optional<Module> parse(std::string_view text, std::string& fault);
+
+// Reads the text form and verifies it; each fault is an error at its statement.
+std::optional<Module> read(const SourcePtr& source, Diags& diags);
 
 }  // namespace sg::ir

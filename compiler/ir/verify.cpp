@@ -2,21 +2,22 @@
 
 #include <cmath>
 
+#include "base/ice.hpp"
 #include "ir/host.hpp"
 #include "ir/ir.hpp"
 
 namespace sg::ir {
 namespace {
 
+using Where = ModuleFault::Where;
+
 struct Verifier {
     const Module& module;
-    std::string faults;
+    std::vector<ModuleFault> faults{};
 
-    void fault(std::string_view where, const std::string& what) {
-        faults += fmt::format("{}: {}\n", where, what);
-    }
+    void fault(Where where, std::string what) { faults.push_back({where, std::move(what)}); }
 
-    void operands(std::size_t i, const Value& value, const OpInfo& row, const std::string& where) {
+    void operands(std::size_t i, const Value& value, const OpInfo& row, Where where) {
         if (row.attribute == Attribute::Function && value.index >= module.functions.size()) return;
         const std::vector<Type> types = operand_types(module, value);
         if (value.operands.size() != types.size()) {
@@ -38,7 +39,7 @@ struct Verifier {
         }
     }
 
-    void attribute(const Value& value, const OpInfo& row, const std::string& where) {
+    void attribute(const Value& value, const OpInfo& row, Where where) {
         switch (row.attribute) {
             case Attribute::Set:
                 if (value.index > 7) fault(where, fmt::format("uv set {} is not in 0..7", value.index));
@@ -107,25 +108,27 @@ struct Verifier {
     // What the host computes depends on parameters alone.
     void host() {
         const Module program{.parameters = module.parameters, .values = module.host};
-        Verifier inner{program, ""};
+        Verifier inner{program};
         for (std::size_t i = 0; i < module.host.size(); ++i) {
             const Op op = module.host[i].op;
             if (op == Op::constant || op == Op::parameter || host_op(op)) {
                 inner.value(i);
             } else {
-                inner.fault(fmt::format("%{}", i),
+                inner.fault({Where::Of::value, i},
                             fmt::format("'{}' is nothing that the host computes", info(op).name));
             }
         }
-        if (!inner.faults.empty()) faults += "host " + inner.faults;
-        for (const Derived& derived : module.derived) {
+        for (ModuleFault& found : inner.faults)
+            fault({Where::Of::host, found.where.index}, std::move(found.what));
+        for (std::size_t i = 0; i < module.derived.size(); ++i) {
+            const Derived& derived = module.derived[i];
             if (derived.host.index >= module.host.size() ||
                 module.host[derived.host.index].type != derived.type)
-                fault("derived " + derived.name, "is no value of the host of its type");
+                fault({Where::Of::derived, i}, "is no value of the host of its type");
         }
     }
 
-    void below(const Value& value, std::uint32_t limit, std::string_view what, const std::string& where) {
+    void below(const Value& value, std::uint32_t limit, std::string_view what, Where where) {
         if (value.index >= limit)
             fault(where, fmt::format("{} {} is not in 0..{}", what, value.index, limit - 1));
     }
@@ -133,7 +136,7 @@ struct Verifier {
     void value(std::size_t i) {
         const Value& v = module.values[i];
         const OpInfo& row = info(v.op);
-        std::string where = fmt::format("%{}", i);
+        const Where where{Where::Of::value, i};
         if (row.result != Type::Any && v.type != row.result) {
             fault(where, fmt::format("'{}' gives {}, the value is {}", row.name, info(row.result).name,
                                      info(v.type).name));
@@ -155,7 +158,7 @@ struct Verifier {
         for (std::size_t i = looked; i < module.values.size(); ++i) {
             const Op op = module.values[i].op;
             if (!takes_screen_derivatives(op)) continue;
-            fault(fmt::format("%{}", i),
+            fault({Where::Of::value, i},
                   fmt::format("'{}' takes screen derivatives behind parallax ('{}', %{})", info(op).name,
                               info(module.values[looked].op).name, looked));
         }
@@ -163,7 +166,7 @@ struct Verifier {
 
     void output(std::size_t i) {
         const OutputBinding& binding = module.outputs[i];
-        std::string where = fmt::format("output {}", output_name(binding.output));
+        const Where where{Where::Of::output, i};
         if (binding.value.index >= module.values.size()) {
             fault(where, "no such value");
             return;
@@ -184,15 +187,36 @@ struct Verifier {
     }
 };
 
+std::string name_of(const Module& module, Where where) {
+    switch (where.of) {
+        case Where::Of::value:
+            return fmt::format("%{}", where.index);
+        case Where::Of::host:
+            return fmt::format("host %{}", where.index);
+        case Where::Of::derived:
+            return "derived " + module.derived[where.index].name;
+        case Where::Of::output:
+            return fmt::format("output {}", output_name(module.outputs[where.index].output));
+    }
+    SG_UNREACHABLE("a kind of place that is none");
+}
+
 }  // namespace
 
-std::string verify(const Module& module) {
-    Verifier verifier{module, ""};
+std::vector<ModuleFault> faults_of(const Module& module) {
+    Verifier verifier{module};
     verifier.host();
     for (std::size_t i = 0; i < module.values.size(); ++i) verifier.value(i);
     verifier.derivatives_after_parallax();
     for (std::size_t i = 0; i < module.outputs.size(); ++i) verifier.output(i);
-    return verifier.faults;
+    return std::move(verifier.faults);
+}
+
+std::string verify(const Module& module) {
+    std::string out;
+    for (const ModuleFault& found : faults_of(module))
+        out += fmt::format("{}: {}\n", name_of(module, found.where), found.what);
+    return out;
 }
 
 }  // namespace sg::ir

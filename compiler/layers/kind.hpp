@@ -71,6 +71,7 @@ struct SurfaceArgument {
     ir::Type type{};
     std::string_view doc;
     ir::ValueId (*lower)(LowerContext& context) = nullptr;
+    bool tells_normal = false;  // a function that is handed it can be perpendicular to the normal
 };
 std::span<const SurfaceArgument> surface_arguments();
 

@@ -81,6 +81,28 @@ Argument Checker::argument(const ArgumentDecl& decl) {
     return value;
 }
 
+// A function gives a vector, and GLSL does not say of which kind. One that is not told the normal cannot make
+// it perpendicular to that: it is the gradient of a volume, and nothing would project it.
+void Checker::knows_the_normal(const At& layer, const At& returns, std::span<const Argument> arguments) {
+    auto tells = [](const Argument& a) {
+        return a.kind == Argument::Kind::surface && layers::surface_arguments()[a.index].tells_normal;
+    };
+    auto of_arguments = [&](const Diagnostic& d) {
+        return d.place.pointer.starts_with(layer.pointer + "/arguments");
+    };
+    if (std::any_of(arguments.begin(), arguments.end(), tells) ||
+        std::any_of(diags.all().begin(), diags.all().end(), of_arguments))
+        return;
+    std::vector<std::string_view> words;
+    for (const layers::SurfaceArgument& row : layers::surface_arguments()) {
+        if (row.tells_normal) words.push_back(row.name);
+    }
+    error(Code::mixed_gradients, returns,
+          fmt::format("a surface gradient is perpendicular to the normal, of which the function is not told, "
+                      "expected {} among 'arguments', or \"returns\": \"volume_gradient\"",
+                      one_of(words)));
+}
+
 // What the fields of a kind with a file amount to.
 void Checker::shader_call(const LayerDecl& decl, CheckedLayer& layer) {
     auto field = [&](FieldKind kind) {
@@ -113,6 +135,9 @@ void Checker::shader_call(const LayerDecl& decl, CheckedLayer& layer) {
             layer.values[field(FieldKind::arguments)].arguments.push_back(std::move(value));
         }
     }
+    const FieldEntry* returns = entry(FieldKind::choice);
+    if (returns && decl.kind->result(layer.values) == ir::Type::SurfGrad)
+        knows_the_normal(decl.at, returns->at, layer.values[field(FieldKind::arguments)].arguments);
     if (!file || !function) return;
     auto index = shader(file->word, file->at);
     if (!index) return;

@@ -61,6 +61,7 @@ struct Checker {
 
     // check_shaders.cpp
     void shader_call(const LayerDecl& decl, CheckedLayer& layer);
+    void knows_the_normal(const At& layer, const At& returns, std::span<const layers::Argument> arguments);
     std::optional<std::size_t> shader(const std::string& file, const At& at);
     layers::Argument argument(const ArgumentDecl& decl);
 

@@ -96,17 +96,15 @@ std::unique_ptr<Material> load_material(std::string_view text, std::string_view 
                                         const runtime::TextureSet& textures,
                                         std::span<const std::byte> parameters, Diags& diags) {
     auto out = std::make_unique<Material>();
-    std::string fault;
-    auto module = ir::parse(text, fault);
-    if (module) fault = ir::verify(*module);
-    if (fault.empty()) {
-        out->module = std::move(*module);
-        bind_textures(artefact, textures, *out);
-        if (bind_parameters(artefact, parameters, *out)) return out;
-        fault = "its parameters are not those of the manifest";
-    }
-    diags.error(Code::manifest_mismatch, fmt::format("'{}' is not the module of this artefact: {}",
-                                                     printable(file), printable(fault)));
+    auto module = ir::read(std::make_shared<Source>(Source{std::string(file), std::string(text)}), diags);
+    if (!module) return nullptr;
+    out->module = std::move(*module);
+    bind_textures(artefact, textures, *out);
+    if (bind_parameters(artefact, parameters, *out)) return out;
+    diags.error(
+        Code::manifest_mismatch,
+        fmt::format("'{}' is not the module of this artefact: its parameters are not those of the manifest",
+                    printable(file)));
     return nullptr;
 }
 

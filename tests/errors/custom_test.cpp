@@ -125,8 +125,9 @@ TEST(CustomGlsl, MacrosOfTheCommandLine) {
 // What one language lacks is that language's error, not ours.
 TEST(CustomGlsl, ThatATargetCannotExpress) {
     const std::string text =
-        "vec3 f(texture2D x, sampler s, SgUv uv) { return textureGather(sampler2D(x, s), uv.st, 1).xyz; }\n";
-    const std::string json = material(layer("a.glsl", "f", R"({ "texture": "x" }, { "uv": 0 })"));
+        "vec3 f(vec3 n, texture2D x, sampler s, SgUv uv) { return textureGather(sampler2D(x, s), uv.st, "
+        "1).xyz; }\n";
+    const std::string json = material(layer("a.glsl", "f", R"("normal", { "texture": "x" }, { "uv": 0 })"));
     EXPECT_TRUE(compile(json, {{"a.glsl", text}}).compiled);
     EXPECT_EQ(
         compile(json, {{"a.glsl", text}}, {}, {"essl300"}).messages,
@@ -150,8 +151,9 @@ TEST(CustomGlsl, WithoutEquivalentHasNoReference) {
 
 // A generated shader brings what the arguments need and no more.
 TEST(CustomGlsl, TypesOfTheLibraryNeedTheirFile) {
-    const std::string text = "vec3 f(float x) {\n    SgBasis basis;\n    return basis.tangent * x;\n}\n";
-    const std::string json = material(layer("a.glsl", "f", "\"$x\""));
+    const std::string text =
+        "vec3 f(vec3 n, float x) {\n    SgBasis basis;\n    return basis.tangent * x;\n}\n";
+    const std::string json = material(layer("a.glsl", "f", "\"normal\", \"$x\""));
     EXPECT_EQ(
         compile(json, {{"a.glsl", text}}).messages,
         R"(a.glsl:2:5: error: 'SgBasis' : undeclared identifier; #include "surfgrad/tbn.glsl" declares it [SG1601]

@@ -88,6 +88,9 @@ TEST(Ir, VerifierRefusesIllegalMixes) {
         {"%9 = add_deriv %7 %8 : Deriv", "%9: 'add_deriv' takes Deriv as operand 1, found SurfGrad (%8)\n"},
         {"%9 = surfgrad_from_tbn %6 %4 : SurfGrad",
          "%9: 'surfgrad_from_tbn' takes Deriv as operand 0, found TangentNormal (%6)\n"},
+        {"%9 = volume_world : Volume\n%10 = noise_perlin %9 : Noise\n%11 = constant 1 : Scalar\n"
+         "%12 = noise_gradient %11 %10 : LocalGrad\n%13 = add_surfgrad %8 %12 : SurfGrad",
+         "%13: 'add_surfgrad' takes SurfGrad as operand 1, found LocalGrad (%12)\n"},
         {"%9 = decode_normal_xyz 126 %5 : TangentNormal", "%9: zero 126 is not in 127..128\n"},
         {"%9 = uv_set 8 : Uv", "%9: uv set 8 is not in 0..7\n"},
         {"%9 = sample 1 %0 : Texel", "%9: no such texture\n"},
@@ -105,6 +108,64 @@ TEST(Ir, VerifierRefusesIllegalMixes) {
     EXPECT_EQ(verify(parsed(kHead)), "");
     for (const FaultCase& c : cases)
         EXPECT_EQ(verify(parsed(std::string(kHead) + std::string(c.text))), c.fault);
+}
+
+std::string read_messages(const std::string& text) {
+    Diags diags;
+    const auto module = read(std::make_shared<Source>(Source{"wall.ir", text}), diags);
+    EXPECT_EQ(module.has_value(), !diags.has_errors());
+    return render(diags);
+}
+
+// A text module with such a mix is refused at the statement that makes it.
+TEST(Ir, ReadingSaysWhereGradientsAreMixed) {
+    const std::string head =
+        "module \"wall\"\ntexture 0 \"t\" tangent_normal\n"
+        "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n"
+        "%2 = vertex_tangent : VertexTangent\n%3 = basis_vertex %0 %2 : Basis\n%4 = uv_set 0 : Uv\n"
+        "%5 = sample 0 %4 : Texel\n%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n"
+        "%7 = deriv_from_normal_xyz %6 : Deriv\n%8 = surfgrad_from_tbn %7 %3 : SurfGrad\n"
+        "%9 = volume_object : Volume\n%10 = noise_perlin %9 : Noise\n%11 = constant 1 : Scalar\n"
+        "%12 = noise_gradient %11 %10 : LocalGrad\n%13 = gradient_from_object %12 : VolGrad\n";
+    EXPECT_EQ(read_messages(head), "");
+    EXPECT_EQ(
+        read_messages(head + "  %14 = add_surfgrad %8 %13 : SurfGrad\t'sum'  # no\n"
+                             "%15 = resolve %1 %13 : Normal\noutput gradient = %13\n"),
+        "wall.ir:17:3: error: 'add_surfgrad' takes SurfGrad as operand 1, found VolGrad (%13) [SG2112]\n"
+        "  %14 = add_surfgrad %8 %13 : SurfGrad 'sum'  # no\n"
+        "  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+        "wall.ir:18:1: error: 'resolve' takes SurfGrad as operand 1, found VolGrad (%13) [SG2112]\n"
+        "%15 = resolve %1 %13 : Normal\n"
+        "^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+        "wall.ir:19:1: error: takes SurfGrad, found VolGrad (%13) [SG2112]\n"
+        "output gradient = %13\n"
+        "^^^^^^^^^^^^^^^^^^^^^\n");
+    EXPECT_EQ(read_messages(head + "%14 = scale_surfgrad 1 %8 : SurfGrad\n"),
+              "wall.ir:17:1: error: expected ':' before '1 %8 : SurfGrad' [SG2112]\n"
+              "%14 = scale_surfgrad 1 %8 : SurfGrad\n"
+              "^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n");
+}
+
+TEST(Ir, ReadingSaysWhereDerivativesAreTakenBehindParallax) {
+    const std::string head =
+        "texture 0 \"t\" height\n%0 = position : Position\n%1 = vertex_normal : VertexNormal\n"
+        "%2 = base_normal %1 : Normal\n%3 = frame %0 %2 : Frame\n%4 = uv_set 0 : Uv\n%5 = view %0 : View\n"
+        "%6 = parallax_direction %3 %4 %5 : TextureView\n%7 = constant 0.1 -0.1 : Vec2\n"
+        "%8 = constant 16 : Scalar\n%9 = parallax_occlusion 0 %4 %6 %7 %8 : Hit\n";
+    EXPECT_EQ(read_messages(head + "%10 = uv_set 1 : Uv\n"),
+              "wall.ir:12:1: error: 'uv_set' takes screen derivatives behind parallax ('parallax_occlusion', "
+              "%9) [SG2112]\n%10 = uv_set 1 : Uv\n^^^^^^^^^^^^^^^^^^^\n");
+}
+
+TEST(Ir, ReadingSaysWhichLineOfTheHostIsAtFault) {
+    EXPECT_EQ(read_messages("parameter 0 \"p\" : Scalar\nhost %0 = facing : Scalar\n"
+                            "derived 0 \"d\" : Scalar = %1\n%0 = derived 1 : Scalar\n"),
+              "wall.ir:2:1: error: 'facing' is nothing that the host computes [SG2112]\n"
+              "host %0 = facing : Scalar\n^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "wall.ir:3:1: error: is no value of the host of its type [SG2112]\n"
+              "derived 0 \"d\" : Scalar = %1\n^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "wall.ir:4:1: error: no such derived number [SG2112]\n"
+              "%0 = derived 1 : Scalar\n^^^^^^^^^^^^^^^^^^^^^^^\n");
 }
 
 // Neighbouring pixels see other places: nothing behind parallax may be differenced over the screen.
