@@ -19,7 +19,6 @@ struct Image {
     std::uint32_t height = 0;
     TexelFormat format = TexelFormat::unorm8;
     std::vector<std::uint8_t> bytes;  // width * height * 4 channels, native endian, tightly packed
-    bool declares_srgb = false;       // a PNG's sRGB or gAMA (2.2) chunk says so; no conversion was applied
 
     [[nodiscard]] std::size_t bytes_per_texel() const;
     // Channel c of texel (x, y) as a number: unorm formats divided by their maximum.
@@ -33,6 +32,16 @@ Image make_image(std::uint32_t width, std::uint32_t height, TexelFormat format);
 // crashes on hostile bytes.
 std::optional<Image> read_image(std::string_view bytes, std::string_view name, const Place& place,
                                 Diags& diags);
+
+// What a PNG says of its numbers by a chunk sRGB, or else gAMA. Nothing is decoded.
+struct PngColors {
+    std::string_view chunk;  // "sRGB" or "gAMA"
+    double gamma = 0.0;      // of gAMA: 1 is linear, 2.2 is near sRGB
+
+    [[nodiscard]] bool linear() const { return gamma > 0.95 && gamma < 1.05; }
+};
+// Empty for a PNG without these chunks and for other formats.
+std::optional<PngColors> png_colors(std::string_view bytes);
 
 // 8-bit RGBA PNG of a unorm8 image, deterministic bytes.
 std::string png_bytes(const Image& image);

@@ -12,7 +12,9 @@
 namespace sg::asset {
 namespace {
 
-constexpr unsigned kGammaOfSrgb = 45455;        // a gAMA chunk's 100000 / 2.2
+constexpr double kGammaOfLinear = 100000;  // in a gAMA chunk, which holds 100000 / gamma
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::size_t kChunkFrame = 12;         // of a chunk, what is not data
 constexpr std::uint64_t kMostInflation = 1032;  // bytes that one byte of a deflate stream can become
 
 struct Free {
@@ -21,6 +23,13 @@ struct Free {
 
 const unsigned char* data_of(std::string_view bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
+// Of the first four bytes.
+std::uint32_t big_endian(std::string_view bytes) {
+    std::uint32_t out = 0;
+    for (const char c : bytes.substr(0, 4)) out = out << 8 | static_cast<unsigned char>(c);
+    return out;
 }
 
 // PNG keeps 16-bit numbers big-endian.
@@ -81,9 +90,25 @@ std::optional<Image> read_png(const ImageSource& source, Diags& diags) {
     Image image = make_image(width, height, wide ? TexelFormat::unorm16 : TexelFormat::unorm8);
     image.bytes.assign(raw, raw + image.bytes.size());
     if (wide) swap_pairs_if_little(image.bytes);
-    const LodePNGInfo& info = state.info_png;
-    image.declares_srgb = info.srgb_defined || (info.gama_defined && info.gama_gamma == kGammaOfSrgb);
     return image;
+}
+
+// A chunk is its length, its type, as many bytes, and a checksum; those of the colours stand before the
+// texels.
+std::optional<PngColors> png_colors(std::string_view bytes) {
+    if (!bytes.starts_with(kSignature)) return std::nullopt;
+    bytes.remove_prefix(kSignature.size());
+    std::optional<PngColors> gamma;
+    while (bytes.size() >= kChunkFrame) {
+        const std::string_view type = bytes.substr(4, 4);
+        const std::size_t length = big_endian(bytes);
+        if (type == "IDAT" || length > bytes.size() - kChunkFrame) break;
+        if (type == "sRGB") return PngColors{"sRGB", 0.0};
+        if (type == "gAMA" && length == 4 && big_endian(bytes.substr(8)) > 0)
+            gamma = PngColors{"gAMA", kGammaOfLinear / big_endian(bytes.substr(8))};
+        bytes.remove_prefix(kChunkFrame + length);
+    }
+    return gamma;
 }
 
 std::string png_bytes(const Image& image) {

@@ -1,7 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
+#include "asset/image.hpp"
 #include "material/checker.hpp"
 
 namespace sg::material {
@@ -124,8 +126,28 @@ void Checker::texture_settings(const TextureDecl& decl) {
     }
 }
 
+// A PNG whose chunk says otherwise than the declaration, which holds: many programs mark whatever they write.
+// A colour texture with a "color_space" has been thought about.
+void Checker::color_space(const TextureDecl& decl, const SourcePtr& source, std::string_view bytes) {
+    const bool is_color = decl.encoding == color;
+    if (decl.faulty || (is_color && decl.color_space)) return;
+    const auto said = asset::png_colors(bytes);
+    if (!said || said->linear() != is_color) return;
+    const std::string holds = said->linear()          ? "linear numbers"
+                              : said->chunk == "sRGB" ? "sRGB colours"
+                                                      : fmt::format("numbers of gamma {:.3g}", said->gamma);
+    diags.warning(
+        Code::color_space_differs, {source, decl.file.at.span, decl.file.at.pointer},
+        fmt::format("'{}' says by its chunk '{}' that it holds {}, but texture '{}' of encoding '{}' "
+                    "is read as {}, expected {}a file without that chunk",
+                    printable(decl.file.value), said->chunk, holds, printable(decl.name.value),
+                    ir::encoding_name(decl.encoding), is_color ? "sRGB colours" : "linear numbers",
+                    is_color ? "\"color_space\": \"linear\" or " : ""));
+}
+
 void Checker::textures() {
     std::vector<bool> used = used_textures();
+    std::set<std::pair<const Source*, std::uint32_t>> told;
     texture_index.assign(in.textures.size(), 0);
     for (std::size_t i = 0; i < in.textures.size(); ++i) {
         const TextureDecl& decl = in.textures[i];
@@ -141,8 +163,12 @@ void Checker::textures() {
         swizzle(decl, texture.facts);
         if (!decl.file.value.empty()) {
             const SourcePtr& source = decl.file_source ? decl.file_source : in.source;
-            if (auto found = find_file(texture.file, decl.file.at, source, roots, files, diags))
+            if (auto found = find_file(texture.file, decl.file.at, source, roots, files, diags)) {
                 texture.hash = content_hash(found->bytes);
+                // The texture of a parameter may be the one that is declared: what it is is told once.
+                if (used[i] && told.insert({source.get(), decl.file.at.span.begin}).second)
+                    color_space(decl, source, found->bytes);
+            }
         } else if (!decl.file.at.pointer.empty()) {
             error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
         }

@@ -73,6 +73,7 @@ struct Checker {
     std::vector<bool> used_textures() const;
     void texture_settings(const TextureDecl& decl);
     void swizzle(const TextureDecl& decl, layers::TextureFacts& facts);
+    void color_space(const TextureDecl& decl, const SourcePtr& source, std::string_view bytes);
 };
 
 // A fault of fields that are each valid alone.

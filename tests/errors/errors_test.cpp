@@ -101,6 +101,85 @@ TEST(Errors, FileThatCannotBeRead) {
     EXPECT_EQ(render(diags.all().back()), "error: never [SG1304]\n");
 }
 
+// Chunks of a PNG in front of its texels; its size, and what tells the colours.
+std::string chunk(const std::string& type, const std::string& data) {
+    return std::string(3, '\0') + static_cast<char>(data.size()) + type + data + "crc.";
+}
+std::string png(const std::string& chunks, const std::string& behind = "") {
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", std::string("\0\0\0\1\0\0\0\1\x8\2\0\0\0", 13)) + chunks +
+           chunk("IDAT", "texels") + behind + chunk("IEND", "");
+}
+std::string gamma_chunk(std::uint32_t number) {
+    std::string data;
+    for (int shift : {24, 16, 8, 0}) data += static_cast<char>(number >> shift & 255u);
+    return chunk("gAMA", data);
+}
+const std::string kSrgbChunk = chunk("sRGB", std::string(1, '\0'));
+
+// What a check says of a material whose texture "map" is `declared` so and whose file holds `bytes`.
+std::string check_texture(const std::string& declared, const std::string& bytes,
+                          const std::string& layer = R"("kind": "normal_map", "texture": "map")") {
+    MemoryFiles files;
+    files.contents["/m/a.png"] = bytes;
+    const std::string text = R"({ "version": 1,
+  "textures": { "map": { "file": "a.png", )" +
+                             declared +
+                             R"( } },
+  "bump": [ { "layers": [ { )" +
+                             layer + R"( } ] } ],
+  "surface": { "emission": [0, 0, 0] } }
+)";
+    CompileRequest request{.source = std::make_shared<Source>(Source{"wall.json", text}), .roots = {"/m"}};
+    Diags diags;
+    EXPECT_TRUE(check_material(request, files, kLibrary, diags));
+    EXPECT_EQ(diags.exit_code(), 0);
+    return render(diags);
+}
+
+const std::string kNormals = R"("encoding": "tangent_normal")";
+
+TEST(Errors, APngThatSaysOtherwiseThanItsTextureIsWarnedOf) {
+    EXPECT_EQ(
+        check_texture(kNormals, png(kSrgbChunk)),
+        "wall.json:2:34: warning: 'a.png' says by its chunk 'sRGB' that it holds sRGB colours, but texture "
+        "'map' of encoding 'tangent_normal' is read as linear numbers, expected a file without that chunk "
+        "[SG1215]\n"
+        "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"tangent_normal\" } },\n"
+        "                                 ^^^^^^^\n");
+    EXPECT_EQ(
+        check_texture(R"("encoding": "height")", png(gamma_chunk(45455)),
+                      R"("kind": "height_map", "texture": "map")"),
+        "wall.json:2:34: warning: 'a.png' says by its chunk 'gAMA' that it holds numbers of gamma 2.2, but "
+        "texture 'map' of encoding 'height' is read as linear numbers, expected a file without that chunk "
+        "[SG1215]\n"
+        "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"height\" } },\n"
+        "                                 ^^^^^^^\n");
+    const std::string node = R"("kind": "noise", "mask": { "texture": "map", "channel": "r" })";
+    EXPECT_EQ(
+        check_texture(R"("encoding": "color")", png(gamma_chunk(100000)), node),
+        "wall.json:2:34: warning: 'a.png' says by its chunk 'gAMA' that it holds linear numbers, but "
+        "texture 'map' of encoding 'color' is read as sRGB colours, expected \"color_space\": \"linear\" or "
+        "a file without that chunk [SG1215]\n"
+        "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"color\" } },\n"
+        "                                 ^^^^^^^\n");
+}
+
+TEST(Errors, APngThatSaysWhatItsTextureIsOrNothingIsNotWarnedOf) {
+    const std::string colors = R"("encoding": "color")";
+    const std::string node = R"("kind": "noise", "mask": { "texture": "map", "channel": "r" })";
+    EXPECT_EQ(check_texture(kNormals, png("")), "");
+    EXPECT_EQ(check_texture(kNormals, png(gamma_chunk(100000))), "");
+    EXPECT_EQ(check_texture(kNormals, png(gamma_chunk(0))), "");            // says nothing
+    EXPECT_EQ(check_texture(kNormals, png("", kSrgbChunk)), "");            // behind the texels
+    EXPECT_EQ(check_texture(kNormals, png(kSrgbChunk).substr(0, 40)), "");  // cut off
+    EXPECT_EQ(check_texture(kNormals, "GIF89a" + kSrgbChunk), "");
+    EXPECT_EQ(check_texture(kNormals, png(kSrgbChunk), R"("kind": "noise")"), "");  // nothing reads it
+    EXPECT_EQ(check_texture(colors, png(kSrgbChunk), node), "");
+    EXPECT_EQ(check_texture(colors, png(gamma_chunk(45455)), node), "");
+    EXPECT_EQ(check_texture(colors, png(gamma_chunk(100000) + kSrgbChunk), node), "");
+    EXPECT_EQ(check_texture(colors + R"(, "color_space": "linear")", png(kSrgbChunk), node), "");
+}
+
 // Damaged versions of a good material: an answer or an error, never a crash, and text never slips through.
 TEST(Errors, RandomDamageNeverCrashes) {
     unsigned seed = std::random_device{}();

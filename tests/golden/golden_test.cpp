@@ -41,7 +41,7 @@ Compiled compile(const fs::path& path, target::Optimise optimise = target::Optim
     request.spirv.optimise = optimise;
     request.optimise_ir = optimise != target::Optimise::none;
     auto out = compile_material(request, files, target::embedded_library(), diags);
-    EXPECT_TRUE(out) << render(diags);
+    EXPECT_EQ(render(diags), "");  // nor a warning
     return out ? std::move(*out) : Compiled{};
 }
 

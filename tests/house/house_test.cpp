@@ -61,7 +61,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"asset", {"base"}},
     {"ir", {"base"}},
     {"layers", {"base", "ir"}},
-    {"material", {"base", "json", "ir", "layers"}},
+    {"material", {"base", "json", "ir", "asset", "layers"}},
     {"opt", {"base", "ir"}},
     {"emit", {"base", "ir"}},
     {"target", {"base", "emit"}},

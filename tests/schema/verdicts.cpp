@@ -43,6 +43,7 @@ constexpr Verdict kVerdicts[] = {
     {Code::extends_cycle, kGraph},
     {Code::parallax_place, kTwoParts},
     {Code::unknown_entry, kDeclared},
+    {Code::color_space_differs, kFiles},
     {Code::mixed_gradients, kTwoParts},
     {Code::file_missing, kFiles},
     {Code::path_escapes, kFiles},
