@@ -114,8 +114,8 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
         ForwardCost cost = forward != entries.end()
                                ? forward_cost(forward->shaders, forward->fragment)
                                : forward_cost(optimised, interface, request.stem, library, request.spirv);
-        hold_to_budget(cost, checked->budget, "'budget' allows", request.source, diags);
-        hold_to_budget(cost, request.budget, "--budget allows", request.source, diags);
+        hold_to_budget(cost, checked->budget, checked->source, diags);
+        hold_to_budget(cost, request.budget, request.source, diags);
     }
     if (diags.error_count() != before) return std::nullopt;
     std::string file = std::filesystem::path(request.source->name).filename().string();

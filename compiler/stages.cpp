@@ -71,16 +71,21 @@ ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface
                                           library, options));
 }
 
-void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who,
-                    const SourcePtr& source, Diags& diags) {
+void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, const SourcePtr& source,
+                    Diags& diags) {
     constexpr std::string_view kThings[] = {"instructions", "texture reads", "numbers from the vertex stage"};
     for (std::size_t i = 0; i < cost.size(); ++i) {
         const auto& limit = budget[i];
         if (!limit || cost[i] <= limit->value) continue;
-        material::At at = limit->at.pointer.empty() ? material::At{{0, 1}, ""} : limit->at;
-        diags.error(
-            Code::over_budget, {source, at.span, at.pointer},
-            fmt::format("the forward shader takes {} {}, {} {}", cost[i], kThings[i], who, limit->value));
+        const std::string takes = fmt::format("takes {} {}", cost[i], kThings[i]);
+        if (limit->at.pointer.empty()) {
+            diags.error(Code::over_budget,
+                        fmt::format("--budget {}={}: the forward shader of '{}' {}", material::kCostNames[i],
+                                    limit->value, printable(source->name), takes));
+        } else {
+            diags.error(Code::over_budget, {source, limit->at.span, limit->at.pointer},
+                        fmt::format("the forward shader {}, 'budget' allows {}", takes, limit->value));
+        }
     }
 }
 

@@ -41,9 +41,9 @@ ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface
                          const std::string& stem, const target::ShaderLibrary& library,
                          const target::SpirvOptions& options);
 
-// An error for each limit that is exceeded, at the limit's place or, for one without a place, at the file's
-// begin.
-void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, std::string_view who,
-                    const SourcePtr& source, Diags& diags);
+// An error for each limit that is exceeded, at the limit's place; one without a place was given on the
+// command line.
+void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, const SourcePtr& source,
+                    Diags& diags);
 
 }  // namespace sg

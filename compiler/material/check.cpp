@@ -137,6 +137,7 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     checker.out.bases = material.bases;
     checker.parameters();
     checker.out.budget = material.budget;
+    checker.out.source = material.source;
     checker.index_names();
     checker.ids();
     checker.textures();

@@ -85,6 +85,7 @@ struct CheckedMaterial {
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
     CheckedSurface surface;
     Budget budget;
+    SourcePtr source;  // of the budget: of an instance, the material that it extends
 };
 
 inline constexpr std::size_t kMaxTextures = 64;

@@ -48,20 +48,50 @@ TEST(Budget, OfTheMaterial) {
               "                                                                          ^\n");
 }
 
+TEST(Budget, OfTheMaterialThatIsExtended) {
+    MemoryFiles files;
+    files.contents["/m/base.json"] = "{ \"version\": 1,\n  \"budget\": { \"interpolants\": 0 } }\n";
+    CompileRequest request{.source = std::make_shared<Source>(
+                               Source{"wall.json", R"({ "version": 1, "extends": "base.json" })"}),
+                           .stem = "wall",
+                           .roots = {"/m"},
+                           .entries = {"normal"}};
+    Diags diags;
+    EXPECT_FALSE(compile_material(request, files, target::embedded_library(), diags));
+    EXPECT_EQ(
+        render(diags),
+        "base.json:2:31: error: the forward shader takes 6 numbers from the vertex stage, 'budget' allows 0 "
+        "[SG1402]\n"
+        "  \"budget\": { \"interpolants\": 0 } }\n"
+        "                              ^\n");
+}
+
 TEST(Budget, ThatIsJustMet) {
     EXPECT_EQ(compile(material(R"("budget": { "texture_reads": 2, "interpolants": 8 },)")), "");
 }
 
-// The number of instructions follows the versions of glslang and SPIRV-Tools: only the words around it stand
-// here.
+// A budget of the command line has no place in the file.
 TEST(Budget, OfTheCommandLineForAnyEntry) {
-    material::Budget budget;
-    budget[static_cast<std::size_t>(material::Cost::instructions)] = material::Located<std::uint32_t>{3, {}};
-    std::string found = compile(material(""), budget, {"normal"});
-    EXPECT_TRUE(found.starts_with("wall.json:1:1: error: the forward shader takes ")) << found;
-    EXPECT_NE(found.find(" instructions, --budget allows 3 [SG1402]\n{\n^\n"), std::string::npos) << found;
-    budget[0]->value = 100000;
-    EXPECT_EQ(compile(material(""), budget, {"normal"}), "");
+    using enum material::Cost;
+    auto limited = [](material::Cost cost, std::uint32_t limit) {
+        material::Budget out;
+        out[static_cast<std::size_t>(cost)] = material::Located<std::uint32_t>{limit, {}};
+        return out;
+    };
+    material::Budget budget = limited(texture_reads, 1);
+    budget[static_cast<std::size_t>(interpolants)] = material::Located<std::uint32_t>{0, {}};
+    EXPECT_EQ(
+        compile(material(""), budget, {"normal"}),
+        "error: --budget texture_reads=1: the forward shader of 'wall.json' takes 2 texture reads [SG1402]\n"
+        "error: --budget interpolants=0: the forward shader of 'wall.json' takes 8 numbers from the vertex "
+        "stage [SG1402]\n");
+    // The number of instructions follows the versions of glslang and SPIRV-Tools: only the words around it
+    // stand here.
+    const std::string found = compile(material(""), limited(instructions, 3), {"normal"});
+    EXPECT_TRUE(found.starts_with("error: --budget instructions=3: the forward shader of 'wall.json' takes "))
+        << found;
+    EXPECT_TRUE(found.ends_with(" instructions [SG1402]\n")) << found;
+    EXPECT_EQ(compile(material(""), limited(instructions, 100000), {"normal"}), "");
 }
 
 }  // namespace
