@@ -30,8 +30,7 @@ std::vector<Case> cases() {
          .draw = draw_gradient,
          .reference = [](const In& in,
                          Expect& out) { out.put(0, ref::surfgrad_from_volume(in.v3(0), in.v3(3))); },
-         .bound = {.absolute =
-                       18 * kUlp},  // a projection (7), and the cut (2)
+         .bound = {.absolute = 18 * kUlp},  // a projection (7), and the cut (2)
          .condition = cut_length,
          .property =
              [](const In& in, const In& out) {
@@ -67,6 +66,8 @@ std::vector<Case> cases() {
              },
          .reference = [](const In& in, Expect& out) { out.put(0, in.v3(0)); },
          // A projection's 7 roundings of the longest gradient: g is shorter than this, and should be 0.
+         // Gradients are cut by their largest component, so that three of that size make the longest: sqrt(3)
+         // = 1.7321 of it.
          .bound = {.absolute = 14 * kUlp * 1.7321 * ref::kMaxVolumeGradient},
          .property = unit_and_outward,
          .mutants = {{kFile, "SG_MAX_VOLUME_GRADIENT / largest * gradient", "gradient"}}},
