@@ -180,6 +180,44 @@ TEST(Errors, APngThatSaysWhatItsTextureIsOrNothingIsNotWarnedOf) {
     EXPECT_EQ(check_texture(colors + R"(, "color_space": "linear")", png(kSrgbChunk), node), "");
 }
 
+// The texture of a parameter is the declared one, or the one that an instance puts in its place; each is told
+// once.
+TEST(Errors, APngOfAParameterIsWarnedOfOnce) {
+    const std::string layers =
+        R"({ "kind": "normal_map", "texture": "$t" }, { "kind": "normal_map", "texture": "map" })";
+    const std::string base = R"({ "version": 1,
+  "textures": { "map": { "file": "a.png", "encoding": "tangent_normal" } },
+  "parameters": { "t": { "type": "texture", "default": "map" } },
+  "bump": [ { "layers": [ )" +
+                             layers + " ] } ] }\n";
+    auto check_instance = [&](const std::string& text) {
+        MemoryFiles files;
+        files.contents["/m/a.png"] = files.contents["/m/b.png"] = png(kSrgbChunk);
+        files.contents["/m/base.json"] = base;
+        CompileRequest request{.source = std::make_shared<Source>(Source{"wall.json", text}),
+                               .roots = {"/m"}};
+        Diags diags;
+        EXPECT_TRUE(check_material(request, files, kLibrary, diags));
+        return render(diags);
+    };
+    const std::string said =
+        " says by its chunk 'sRGB' that it holds sRGB colours, but texture 'map' of encoding "
+        "'tangent_normal' is read "
+        "as linear numbers, expected a file without that chunk [SG1215]\n"
+        "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"tangent_normal\" } },\n"
+        "                                 ^^^^^^^\n";
+    EXPECT_EQ(check_instance(base), "wall.json:2:34: warning: 'a.png'" + said);
+    EXPECT_EQ(
+        check_instance(R"({ "version": 1, "extends": "base.json", "parameters": { "t": "b.png" } })"),
+        "base.json:2:34: warning: 'a.png'" + said +
+            "wall.json:1:62: warning: 'b.png' says by its chunk 'sRGB' that it holds sRGB colours, but "
+            "texture "
+            "'$t' of encoding 'tangent_normal' is read as linear numbers, expected a file without that chunk "
+            "[SG1215]\n"
+            "{ \"version\": 1, \"extends\": \"base.json\", \"parameters\": { \"t\": \"b.png\" } }\n"
+            "                                                             ^^^^^^^\n");
+}
+
 // Damaged versions of a good material: an answer or an error, never a crash, and text never slips through.
 TEST(Errors, RandomDamageNeverCrashes) {
     unsigned seed = std::random_device{}();
