@@ -30,6 +30,8 @@ std::string values(const Field& field) {
             return "0 to 7, or an object";
         case FieldKind::choice:
             return list(field.choices);
+        case FieldKind::flag:
+            return "`true`, `false`";
         case FieldKind::integer:
             return fmt::format("{}, whole", bounds);
         case FieldKind::number:
@@ -78,6 +80,8 @@ std::string fallback(const Field& field) {
         case FieldKind::color:
         case FieldKind::vector:
             return fmt::format("{0}, {0}, {0}", field.fallback);
+        case FieldKind::flag:
+            return field.fallback != 0 ? "`true`" : "`false`";
         default:
             return fmt::format("{}", field.fallback);
     }

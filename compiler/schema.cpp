@@ -47,6 +47,8 @@ Json value_of(const Field& field) {
             return reference("uv");
         case FieldKind::choice:
             return words(field.choices);
+        case FieldKind::flag:
+            return {{"type", "boolean"}};
         case FieldKind::integer:
             return {{"type", "integer"}, {"minimum", field.minimum}, {"maximum", field.maximum}};
         case FieldKind::number:
@@ -92,6 +94,8 @@ Json described(const Field& field) {
         return out;
     if (field.kind == FieldKind::choice) {
         out["default"] = field.choices[static_cast<std::size_t>(field.fallback)];
+    } else if (field.kind == FieldKind::flag) {
+        out["default"] = field.fallback != 0;
     } else if (field.kind == FieldKind::vector || field.kind == FieldKind::color) {
         out["default"] = {field.fallback, field.fallback, field.fallback};
     } else {

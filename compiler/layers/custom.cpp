@@ -114,7 +114,8 @@ const LayerKind& custom() {
                    {.name = "equivalent",
                     .kind = FieldKind::layer,
                     .doc = "a layer or group of other kinds that gives the same bump: the double-precision "
-                           "reference; without one there is none"}},
+                           "reference; without one there is none"},
+                   follow_parallax()},
         .check = check,
         .result = result,
         .lower = lower,

@@ -289,18 +289,20 @@ NodeKind decal_mask() {
     return {.name = "decal_mask",
             .doc = "how much a decal of this projector covers, 0 to 1",
             .result = Type::Scalar,
-            .fields = joined({placement_fields(), reach_fields()}),
+            .fields = joined({placement_fields(), reach_fields(), {follow_parallax()}}),
             .check = check<0>,
             .lower = lower_mask};
 }
 
 NodeKind decal_color() {
-    return {.name = "decal_color",
-            .doc = "a picture thrown by a projector, whatever its reach: mix it in by a decal_mask",
-            .result = Type::Color,
-            .fields = joined({{image("the picture", {ir::TextureEncoding::color})}, placement_fields()}),
-            .check = check_placement<kBehindImage>,
-            .lower = lower_color};
+    return {
+        .name = "decal_color",
+        .doc = "a picture thrown by a projector, whatever its reach: mix it in by a decal_mask",
+        .result = Type::Color,
+        .fields = joined(
+            {{image("the picture", {ir::TextureEncoding::color})}, placement_fields(), {follow_parallax()}}),
+        .check = check_placement<kBehindImage>,
+        .lower = lower_color};
 }
 
 const LayerKind& decal() {
@@ -313,7 +315,8 @@ const LayerKind& decal() {
             "factor on its mask: \"blend\": \"add\" adds it to what lies below, \"mix\" replaces that",
         .fields = joined({{image("the map", {tangent_normal, tangent_normal_xy, derivative})},
                           placement_fields(),
-                          reach_fields()}),
+                          reach_fields(),
+                          {follow_parallax()}}),
         .check = check<kBehindImage>,
         .lower_covered = lower_layer,
     };

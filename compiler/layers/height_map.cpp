@@ -64,7 +64,8 @@ const LayerKind& height_map() {
               .fallback = kScaleDependent,
               .choices = {"displacement", "slope"},
               .doc = "displacement: strength is the world length of the height 1, and tiling and object size "
-                     "count (Eq 7); slope: strength is the height 1 in texels, whatever the tiling"}},
+                     "count (Eq 7); slope: strength is the height 1 in texels, whatever the tiling"},
+             follow_parallax()},
         .check = check,
         .lower = lower,
     };

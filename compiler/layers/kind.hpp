@@ -18,6 +18,7 @@ enum class FieldKind {
     texture,     // the name of a declared texture
     uv,          // a uv set 0..7, or an object that transforms one
     choice,      // one of `choices`
+    flag,        // true or false
     integer,     // a whole number
     number,      // a number, "$parameter", "@node" or a node written in place
     pair,        // a number (for both), two numbers, or "$parameter" of type float or vec2
@@ -37,8 +38,8 @@ struct Field {
     std::string_view name;
     FieldKind kind{};
     bool required = false;
-    double fallback =
-        0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the default
+    double fallback = 0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the
+                          // default; of a flag: 1 or 0
     double minimum = 0;  // number, pair, color, vector, integer
     double maximum = 0;
     std::vector<std::string_view> choices;
@@ -94,7 +95,7 @@ struct FieldValue {
     ir::ParameterId parameter;
     NodeId node;
     std::uint32_t index =
-        0;  // texture: into the module's textures; choice; integer; file: into its shaders; entry
+        0;  // texture: into the module's textures; choice; flag; integer; file: into its shaders; entry
     Coordinate uv;
     std::string word;  // identifier
     std::vector<Argument> arguments;
@@ -138,6 +139,12 @@ std::span<const Field> common_fields();
 // which of them a material may have (ir/lighting.hpp).
 std::span<const Field> surface_fields();
 ir::Output surface_output(const Field& field);
+
+// Of every kind that looks something up at the surface, the last of its fields: whether that is at the point
+// that parallax shows, or where the mesh is.
+Field follow_parallax();
+bool is_follow_parallax(const Field& field);
+bool follows_parallax(FieldValues values);  // also of kinds without the field
 
 struct NodeKind {
     std::string_view name;

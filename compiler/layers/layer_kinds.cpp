@@ -53,4 +53,22 @@ std::span<const Field> common_fields() {
     return kFields;
 }
 
+constexpr std::string_view kFollowParallax = "follow_parallax";
+
+Field follow_parallax() {
+    return {
+        .name = kFollowParallax,
+        .kind = FieldKind::flag,
+        .fallback = 1,
+        .doc = "behind a parallax: true looks up what the eye sees, false the mesh itself, as without it"};
+}
+
+bool is_follow_parallax(const Field& field) {
+    return field.name == kFollowParallax;
+}
+
+bool follows_parallax(FieldValues values) {
+    return values.empty() || values.back().field != kFollowParallax || values.back().index == 1;
+}
+
 }  // namespace sg::layers

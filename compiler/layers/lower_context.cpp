@@ -57,9 +57,7 @@ void LowerContext::begin_entry(ValueId resolved_normal) {
 // Nodes may look at the normal: those of the next stage see the new one.
 void LowerContext::forget_stage() {
     node_values_.assign(nodes_.size(), {});
-    rebuilt_frame_ = {};
-    moved_volumes_ = {};
-    detail_uvs_.clear();
+    detail_frame_ = {};
 }
 
 void LowerContext::begin_surface() {
@@ -109,7 +107,7 @@ ValueId LowerContext::first_frame() {
 
 ValueId LowerContext::frame() {
     if (frames_.size() == 1) return first_frame();
-    if (on_detail()) return rebuilt_frame();
+    if (on_detail() && follows_) return detail_frame();
     return shared(frames_.back(), [&] {
         return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame");
     });
@@ -225,7 +223,9 @@ ValueId LowerContext::lowered(NodeId id) {
     return shared(node_values_[id.index], [&] {
         ++depth_;
         std::string_view outer = std::exchange(node_, instance.name);
+        bool outer_follows = follow_parallax(follows_parallax(instance.values));
         ValueId made = instance.kind->lower(*this, instance.values);
+        follow_parallax(outer_follows);
         node_ = outer;
         --depth_;
         ir::Value& last = builder_.module().values[made.index];

@@ -83,6 +83,9 @@ public:
     ir::ValueId height_of_viewed_side(const FieldValue& height);
     // The surface that was found takes the place of the mesh in all that follows.
     void move_surface(const Found& found);
+    // Whether what is looked up from here on is: otherwise coordinates and places are the mesh's, and frames
+    // have its footprint, with the stage's normal. Gives what held before.
+    bool follow_parallax(bool follows) { return std::exchange(follows_, follows); }
 
     // Of the stage.
     ir::ValueId normal();
@@ -91,7 +94,7 @@ public:
     // That an earlier entry of bump left; that it began with.
     [[nodiscard]] ir::ValueId entry_normal(std::uint32_t entry) const { return entry_normals_[entry]; }
     ir::ValueId surface_normal();
-    // Of the surface that is seen.
+    // Of the surface that is looked up.
     ir::ValueId position();
     ir::ValueId uv(const Coordinate& coordinate);
     ir::ValueId uv(const Coordinate& coordinate, const FieldValue& tiling);
@@ -162,7 +165,9 @@ private:
     ir::ValueId mesh_volume(Space space);
     ir::ValueId viewed_frame();
     ir::ValueId rebuilt_frame();
+    ir::ValueId detail_frame();
     [[nodiscard]] bool moved() const { return found_.offset.valid(); }
+    [[nodiscard]] bool looks_at_moved() const { return moved() && follows_; }
     // Whether a resolve stands between parallax and what is lowered.
     [[nodiscard]] bool on_detail() const { return moved() && normals_.size() > moved_in_; }
     void forget_stage();
@@ -185,14 +190,15 @@ private:
     Found found_;
     std::size_t moved_in_ = 0;  // normals_.size() of its stage
     bool surface_ = false;      // see begin_surface
+    bool follows_ = true;       // see follow_parallax
     ir::ValueId viewed_frame_, normal_derivatives_, pixels_, moved_position_;
     std::map<std::uint32_t, ir::ValueId> moved_uvs_;
     ir::ValueId found_uv_;
-    // The same in the current stage.
-    ir::ValueId rebuilt_frame_;
-    std::array<ir::ValueId, 2> moved_volumes_;
-    std::array<ir::ValueId, 2> last_volumes_;  // of the last stage that asked for them
+    // Of its plane: by the base normal, and behind a resolve by that normal.
+    std::array<ir::ValueId, 2> rebuilt_frames_;
+    std::array<std::array<ir::ValueId, 2>, 2> moved_volumes_;  // of those, by space
     std::map<std::uint32_t, ir::ValueId> detail_uvs_;
+    ir::ValueId detail_frame_;  // of the current stage
     std::vector<ir::ValueId> entry_normals_;
     // By stage; the last is the current one.
     std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};

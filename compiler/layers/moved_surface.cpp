@@ -58,7 +58,7 @@ void LowerContext::move_surface(const Found& found) {
 }
 
 ValueId LowerContext::position() {
-    return moved() ? moved_position_ : mesh_position();
+    return looks_at_moved() ? moved_position_ : mesh_position();
 }
 
 // What was looked along goes straight to what is seen; other coordinates go as many pixels.
@@ -72,7 +72,7 @@ ValueId LowerContext::moved_uv(std::uint32_t set) {
 }
 
 bool LowerContext::looked_along(const Coordinate& coordinate, const FieldValue& tiling) const {
-    return moved() && (!on_detail() || surface_) && coordinate == found_.coordinate &&
+    return looks_at_moved() && (!on_detail() || surface_) && coordinate == found_.coordinate &&
            tiling.parameter == found_.tiling.parameter && tiling.number == found_.tiling.number;
 }
 
@@ -83,9 +83,9 @@ ValueId LowerContext::seen_uv() {
 }
 
 ValueId LowerContext::base_uv(std::uint32_t set) {
-    if (!moved()) return uv_set(set);
+    if (!looks_at_moved()) return uv_set(set);
     if (!on_detail() || surface_) return moved_uv(set);
-    ValueId mesh = uv_set(set), detail = frame();
+    ValueId mesh = uv_set(set), detail = rebuilt_frame();
     return shared(detail_uvs_[set], [&] {
         return builder_.add(Op::parallax_detail_uv, {first_frame(), mesh, pixels_, detail},
                             fmt::format("detail_uv{}", set));
@@ -94,24 +94,35 @@ ValueId LowerContext::base_uv(std::uint32_t set) {
 
 // The plane of the surface that is seen, with the pixel's footprint on it.
 ValueId LowerContext::rebuilt_frame() {
-    return shared(rebuilt_frame_, [&] {
-        ValueId n = normal();
+    return shared(rebuilt_frames_[on_detail() ? 1 : 0], [&] {
+        ValueId n = on_detail() ? normals_[moved_in_] : normal();
         ValueId side = sides_ == Sides::flip ? facing() : constant(1);
         return builder_.add(Op::frame_rebuilt, {moved_position_, n, side}, "frame");
     });
 }
 
-// The surface's inputs take the footprint of the last entry that asked for one: a frame of their own would be
-// the same point on a plane a little more bumped.
-ValueId LowerContext::volume(Space space) {
-    if (!moved()) return mesh_volume(space);
-    const auto which = static_cast<std::size_t>(space);
-    if (surface_ && last_volumes_[which].valid()) return last_volumes_[which];
+// Of a stage behind a resolve. The surface does not move again, so what a later stage adds leaves the
+// footprint as it is.
+ValueId LowerContext::detail_frame() {
     ValueId plane = rebuilt_frame();
-    return last_volumes_[which] = shared(moved_volumes_[which], [&] {
-               return builder_.add(space == Space::object ? Op::volume_object_at : Op::volume_world_at,
-                                   {plane}, std::string(name_of(space)));
-           });
+    if (normals_.size() == moved_in_ + 1) return plane;
+    return shared(detail_frame_, [&] {
+        return builder_.add(Op::frame_resolved, {plane, normal()}, "frame");
+    });
+}
+
+// The surface's inputs take the footprint of the layers that asked for one: a frame of their own would be the
+// same point on a plane a little more bumped.
+ValueId LowerContext::volume(Space space) {
+    if (!looks_at_moved()) return mesh_volume(space);
+    const auto which = static_cast<std::size_t>(space);
+    if (surface_ && !moved_volumes_[1][which].valid() && moved_volumes_[0][which].valid())
+        return moved_volumes_[0][which];
+    ValueId plane = rebuilt_frame();
+    return shared(moved_volumes_[on_detail() ? 1 : 0][which], [&] {
+        return builder_.add(space == Space::object ? Op::volume_object_at : Op::volume_world_at, {plane},
+                            std::string(name_of(space)));
+    });
 }
 
 }  // namespace sg::layers

@@ -73,7 +73,8 @@ const LayerKind& noise() {
               .fallback = 1,
               .minimum = 0,
               .maximum = 16,
-              .doc = "the value v >= 0 becomes v^power: above 1 it leaves dents where the noise is low"}},
+              .doc = "the value v >= 0 becomes v^power: above 1 it leaves dents where the noise is low"},
+             follow_parallax()},
         .check = check,
         .lower = lower,
     };

@@ -152,7 +152,8 @@ const LayerKind& normal_blend() {
                     .kind = FieldKind::uv,
                     .doc = "the uv set that places the second map, or an object that transforms one"},
                    tiling("second_tiling"),
-                   weight("second_weight")},
+                   weight("second_weight"),
+                   follow_parallax()},
         .check = check,
         .lower = lower,
     };

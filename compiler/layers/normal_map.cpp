@@ -65,7 +65,8 @@ std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::strin
              .choices = {"slope", "displacement"},
              .doc = "slope: strength is a factor on the slope, whatever the tiling; displacement: strength "
                     "is the world "
-                    "length of a height of one texel, and tiling and object size count (Eq 7)"}};
+                    "length of a height of one texel, and tiling and object size count (Eq 7)"},
+            follow_parallax()};
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 namespace sg::layers {
 namespace {
 
-enum FieldIndex : std::size_t { kTexture, kUv };
+enum FieldIndex : std::size_t { kTexture, kUv, kTiling };
 
 ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     ir::TextureId texture{values[kTexture].index};
     bool object = builder.module().textures[texture.index].encoding == ir::TextureEncoding::object_normal;
     ir::ValueId n = context.normal();
-    ir::ValueId texel = context.texel(texture, context.uv(values[kUv].uv));
+    ir::ValueId texel = context.texel(texture, context.uv(values[kUv].uv, values[kTiling]));
     ir::ValueId stored = builder.add_zero(object ? ir::Op::decode_object_normal : ir::Op::decode_world_normal,
                                           context.facts(texture).zero, {texel}, "stored_normal");
     if (object) stored = builder.add(ir::Op::normal_from_object, {stored}, "stored_normal");
@@ -35,7 +35,15 @@ const LayerKind& object_normal_map() {
                     .doc = "the map; its encoding says the space"},
                    {.name = "uv",
                     .kind = FieldKind::uv,
-                    .doc = "the uv set that the map was baked on, or an object that transforms one"}},
+                    .doc = "the uv set that the map was baked on, or an object that transforms one"},
+                   {.name = "tiling",
+                    .kind = FieldKind::pair,
+                    .fallback = 1,
+                    .minimum = -10000,
+                    .maximum = 10000,
+                    .unit = "repeats per uv unit",
+                    .doc = "how often the map repeats along s and t; what it stores does not turn with it"},
+                   follow_parallax()},
         .lower = lower,
     };
     return kRow;

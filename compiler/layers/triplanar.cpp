@@ -122,6 +122,7 @@ const LayerKind& triplanar() {
                                   .encodings = {tangent_normal, tangent_normal_xy, derivative},
                                   .doc = "the map of this plane, if it is another one"});
         }
+        row.fields.push_back(follow_parallax());
         return row;
     }();
     return kRow;
@@ -138,6 +139,7 @@ const LayerKind& planar() {
                               .fallback = 1,
                               .choices = {"x", "y", "z"},
                               .doc = "along which the image is projected"});
+        row.fields.push_back(follow_parallax());
         return row;
     }();
     return kRow;

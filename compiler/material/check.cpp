@@ -27,7 +27,7 @@ CheckedLayer Checker::layer(const LayerDecl& decl) {
 void Checker::parallax() {
     for (std::size_t i = 0; i < in.bump.size(); ++i) {
         const std::optional<ParallaxDecl>& decl = in.bump[i].parallax;
-        if (!decl) continue;
+        if (!decl || !decl->kind) continue;
         CheckedParallax checked{.kind = decl->kind};
         checked.values = values(fmt::format("a parallax of kind '{}'", decl->kind->name), decl->kind->fields,
                                 decl->entries);

@@ -151,12 +151,21 @@ std::uint32_t Checker::earlier_entry(const std::string& id, const At& at) {
     return 0;
 }
 
+void Checker::without_parallax(const Field& row, const At& at) {
+    if (std::any_of(in.bump.begin(), in.bump.end(),
+                    [](const StageDecl& stage) { return stage.parallax.has_value(); }))
+        return;
+    error(Code::unused_setting, at,
+          fmt::format("'{}' means nothing without a parallax, expected one in the first entry of 'bump'",
+                      row.name));
+}
+
 std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const Field> fields,
                                         std::span<const FieldEntry> entries) {
     std::vector<FieldValue> out_values;
     for (const Field& row : fields) {
         FieldValue value{.number = {row.fallback, row.fallback, row.fallback}, .field = row.name};
-        if (row.kind == FieldKind::choice || row.kind == FieldKind::integer)
+        if (row.kind == FieldKind::choice || row.kind == FieldKind::integer || row.kind == FieldKind::flag)
             value.index = static_cast<std::uint32_t>(row.fallback);
         out_values.push_back(value);
     }
@@ -167,6 +176,7 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
         value.index = entry.index;
         value.uv = entry.uv;
         if (row.kind == FieldKind::identifier) value.word = entry.word;
+        if (layers::is_follow_parallax(row)) without_parallax(row, entry.at);
         if (row.kind == FieldKind::entry) {
             value.index = earlier_entry(entry.word, entry.at);
             continue;

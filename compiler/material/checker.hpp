@@ -51,6 +51,8 @@ struct Checker {
     void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
     // The number of an entry of bump that stands before the current one.
     std::uint32_t earlier_entry(const std::string& id, const At& at);
+    // Reports a field that only means something behind a parallax.
+    void without_parallax(const layers::Field& row, const At& at);
     std::vector<layers::FieldValue> values(std::string_view owner, std::span<const layers::Field> fields,
                                            std::span<const FieldEntry> entries);
     template <class Kind>

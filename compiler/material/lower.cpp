@@ -102,8 +102,10 @@ private:
             module_.layers.push_back({layer.id, std::string(layer.kind->name)});
             context_.set_layer(id);
             const layers::LayerKind& kind = *layer.kind;
+            context_.follow_parallax(layers::follows_parallax(layer.values));
             made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}}
                               : kind.lower_covered(context_, layer.values);
+            context_.follow_parallax(true);
         } else {
             made.gradient = sum(layer.group);
         }

@@ -97,7 +97,7 @@ struct FieldEntry {
     At at;
     Expression expression;    // number, pair, color, direction, range
     std::string word;         // texture, file, identifier, entry
-    std::uint32_t index = 0;  // choice, integer
+    std::uint32_t index = 0;  // choice, flag, integer
     layers::Coordinate uv;
     std::vector<ArgumentDecl> arguments;
 };
@@ -127,7 +127,7 @@ struct LayerDecl {
 };
 
 struct ParallaxDecl {
-    const layers::ParallaxKind* kind = nullptr;
+    const layers::ParallaxKind* kind = nullptr;  // null: its kind was reported
     At at;
     std::vector<FieldEntry> entries;
 };

@@ -83,6 +83,8 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
                 return entry;
             }
             return std::nullopt;
+        case FieldKind::flag:
+            return take(reader.boolean(row.name), entry.index);
         case FieldKind::integer:
             return take(reader.integer(row.name, range), entry.index);
         case FieldKind::number:

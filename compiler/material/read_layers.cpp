@@ -100,7 +100,7 @@ void Reader::equivalent(ObjectReader& reader, const Field& row, LayerDecl& decl)
     decl.equivalent.push_back(std::move(*found));
 }
 
-std::optional<ParallaxDecl> Reader::parallax(const Value& value, const std::string& pointer) {
+ParallaxDecl Reader::parallax(const Value& value, const std::string& pointer) {
     const Value* kind_value = value.kind == json::Kind::object ? value.find("kind") : nullptr;
     const layers::ParallaxKind* kind = nullptr;
     if (kind_value && kind_value->kind == json::Kind::string) {
@@ -112,7 +112,7 @@ std::optional<ParallaxDecl> Reader::parallax(const Value& value, const std::stri
             if (hint.empty()) hint = fmt::format(", expected {}", one_of(names));
             diags.error(Code::unknown_kind, {source, kind_value->span, pointer + "/kind"},
                         fmt::format("unknown parallax kind '{}'{}", printable(kind_value->string), hint));
-            return std::nullopt;
+            return {.at = {value.span, pointer}};
         }
     }
     std::vector<std::string_view> keys = {"kind"};
@@ -123,8 +123,8 @@ std::optional<ParallaxDecl> Reader::parallax(const Value& value, const std::stri
     }
     ObjectReader reader = object(
         value, pointer, kind ? fmt::format("a parallax of kind '{}'", kind->name) : "a parallax", keys);
-    if (!reader.string("kind", true) || !kind) return std::nullopt;
-    return ParallaxDecl{kind, reader.at(), entries(reader, kind->fields)};
+    if (!reader.string("kind", true) || !kind) return {.at = reader.at()};
+    return {kind, reader.at(), entries(reader, kind->fields)};
 }
 
 void Reader::stage(const Value& value, const std::string& pointer) {

@@ -36,7 +36,7 @@ struct Reader {
     std::optional<LayerDecl> layer(const json::Value& value, const std::string& pointer);
     void equivalent(ObjectReader& reader, const layers::Field& row, LayerDecl& decl);
     std::optional<LayerDecl> group(const json::Value& value, const std::string& pointer);
-    std::optional<ParallaxDecl> parallax(const json::Value& value, const std::string& pointer);
+    ParallaxDecl parallax(const json::Value& value, const std::string& pointer);
     void named_nodes(ObjectReader& reader);
     bool constant_node(ObjectReader& nodes, const json::Member& member, std::size_t index);
     void node(const json::Value& value, const std::string& pointer, std::size_t index);

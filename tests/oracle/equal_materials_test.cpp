@@ -60,6 +60,7 @@ public:
         evaluator.run(pixel);
         return std::get<dvec3>(evaluator.output(ir::Output::normal));
     }
+    ir::Module& module() { return module_; }
 
 private:
     ir::Module module_;
@@ -71,6 +72,7 @@ std::string material(const std::string& bump, const std::string& cutout = "mask"
                      const std::string& parameters = "{}") {
     return R"({ "version": 1, "parameters": )" + parameters + R"(, "textures": {
         "n": { "file": "textures/pebble_normal.png", "encoding": "tangent_normal" },
+        "o": { "file": "textures/pebble_sphere_object.png", "encoding": "object_normal" },
         "h": { "file": "textures/rib_height.png", "encoding": "height" },
         "cut": { "file": "textures/stone_color.png", "encoding": ")" +
            cutout + R"(" } }, "bump": [ )" + bump + " ] }";
@@ -98,6 +100,14 @@ int same(const Meaning& a, const Meaning& b) {
         bumped += glm::distance(normal, glm::normalize(pixel.vertex_normal)) > 1e-3;
     }
     return bumped;
+}
+
+// In how many pixels they differ.
+int different(const Meaning& a, const Meaning& b) {
+    int out = 0;
+    for (const ir::PixelInputs& pixel : pixels())
+        out += glm::distance(a.normal(pixel), b.normal(pixel)) > 1e-3 ? 1 : 0;
+    return out;
 }
 
 // Turned by 90 degrees about x: up is +z, and the image flies along +y. So right is (x - 0.5) / 2, down
@@ -185,6 +195,109 @@ TEST(EqualMaterials, SlopesDoNotSeeTilingNorSize) {
             }
         }
     }
+}
+
+// ---- behind parallax ----
+
+const std::string kParallax =
+    R"("parallax": { "kind": "occlusion", "texture": "h", "strength": 0.3, "mesh": "flat", "min_steps": 8, "max_steps": 8 }, )";
+
+std::string entry(const std::string& layers, const std::string& parallax = "") {
+    return "{ " + parallax + R"("layers": [ )" + layers + " ] }";
+}
+
+// Layers with FOLLOW wherever something is looked up.
+constexpr const char* kLookups[] = {
+    R"({ "kind": "normal_map", "texture": "n", "uv": 1, "tiling": 3, "strength": 0.2 FOLLOW })",
+    R"({ "kind": "normal_map", "texture": "n", "basis": "vertex", "strength": 0.2 FOLLOW })",
+    R"({ "kind": "normal_map", "texture": "n", "scale": "displacement", "strength": 0.001 FOLLOW })",
+    R"({ "kind": "height_map", "texture": "h", "uv": { "set": 2, "rotation": 30 }, "strength": 0.01 FOLLOW })",
+    R"({ "kind": "height_map", "texture": "h", "method": "screen", "strength": 0.01 FOLLOW })",
+    R"({ "kind": "object_normal_map", "texture": "o", "tiling": 2, "strength": 0.2 FOLLOW })",
+    R"({ "kind": "noise", "frequency": 2, "strength": 0.2 FOLLOW })",
+    R"({ "kind": "noise", "function": "perlin", "space": "world", "strength": 0.2 FOLLOW })",
+    R"({ "kind": "triplanar", "texture": "n", "strength": 0.2 FOLLOW })",
+    R"({ "kind": "planar", "texture": "n", "space": "world", "strength": 0.2 FOLLOW })",
+    R"({ "kind": "decal", "texture": "n", "size": [3, 3, 3], "strength": 0.2 FOLLOW })",
+    R"({ "kind": "normal_blend", "method": "whiteout", "texture": "n", "second_texture": "n", "second_uv": 1, "strength": 0.2 FOLLOW })",
+    R"({ "kind": "noise", "strength": 0.5 FOLLOW, "mask": { "texture": "h", "channel": "r" FOLLOW } })",
+    R"({ "kind": "noise", "strength": 0.5 FOLLOW, "mask": { "op": "height", "range": [-2, 2] FOLLOW } })",
+    R"({ "kind": "noise", "strength": 0.5 FOLLOW, "mask": { "op": "distance", "range": [2, 8] FOLLOW } })",
+    R"({ "kind": "noise", "strength": 0.5 FOLLOW, "mask": { "op": "noise", "range": [-1, 1] FOLLOW } })",
+    R"({ "kind": "noise", "strength": 0.5 FOLLOW, "mask": { "op": "decal_mask", "size": [4, 4, 4], "edge": 1 FOLLOW } })",
+};
+
+std::string with(std::string layer, const std::string& field) {
+    const std::string place = " FOLLOW";
+    for (std::size_t at = layer.find(place); at != std::string::npos; at = layer.find(place))
+        layer.replace(at, place.size(), field);
+    return layer;
+}
+const std::string kStays = R"(, "follow_parallax": false)";
+
+// What does not follow is what it would be without the parallax; what follows is not.
+TEST(EqualMaterials, ALayerThatDoesNotFollowParallaxIsTheMeshs) {
+    for (const std::string layer : kLookups) {
+        const Meaning mesh(material(entry(with(layer, ""))));
+        const Meaning stays(material(entry(with(layer, kStays), kParallax)));
+        const Meaning follows(material(entry(with(layer, ""), kParallax)));
+        EXPECT_GT(same(mesh, stays), 50) << layer;
+        EXPECT_GT(different(stays, follows), 50) << layer;
+    }
+}
+
+TEST(EqualMaterials, ALaterLayerThatDoesNotFollowParallaxIsTheMeshs) {
+    const std::string first = kLookups[0];
+    for (const std::string layer : kLookups) {
+        const Meaning mesh(material(entry(with(first, "")) + ", " + entry(with(layer, ""))));
+        const Meaning stays(
+            material(entry(with(first, kStays), kParallax) + ", " + entry(with(layer, kStays))));
+        const Meaning follows(
+            material(entry(with(first, kStays), kParallax) + ", " + entry(with(layer, ""))));
+        EXPECT_GT(same(mesh, stays), 50) << layer;
+        EXPECT_GT(different(stays, follows), 50) << layer;
+    }
+}
+
+// Beside layers that follow it adds its gradient: g = n - n' / (n n') of each.
+TEST(EqualMaterials, LayersThatFollowParallaxAndThoseThatDoNotAdd) {
+    const std::string scratch = kLookups[0], stone = kLookups[8];
+    const Meaning mesh(material(entry(with(scratch, "")))), seen(material(entry(with(stone, ""), kParallax)));
+    const Meaning both(material(entry(with(scratch, kStays) + ", " + with(stone, ""), kParallax)));
+    int bumped = 0;
+    for (const ir::PixelInputs& pixel : pixels()) {
+        const dvec3 n = glm::normalize(pixel.vertex_normal), a = mesh.normal(pixel), b = seen.normal(pixel);
+        if (glm::dot(n, a) < 0.2 || glm::dot(n, b) < 0.2) continue;
+        const dvec3 sum = a / glm::dot(n, a) + b / glm::dot(n, b) - n;
+        EXPECT_LT(glm::distance(both.normal(pixel), glm::normalize(sum)), 1e-12);
+        bumped += glm::distance(n, a) > 1e-3 && glm::distance(n, b) > 1e-3 ? 1 : 0;
+    }
+    EXPECT_GT(bumped, 100);
+}
+
+// The surface moves once: entries behind the first that follows keep the footprint that its frame has. One of
+// their own, on the plane of their normal, would be another.
+TEST(EqualMaterials, LaterEntriesKeepTheFootprintBehindParallax) {
+    const std::string first = with(kLookups[0], ""), grain = with(kLookups[7], "");
+    Meaning kept(material(entry(first, kParallax) + ", " + entry(grain) + ", " + entry(first)));
+    Meaning rebuilt = kept;
+    int rebuilds = 0, resolved = 0, volumes = 0;
+    for (std::size_t i = 0; i < kept.module().values.size(); ++i) {
+        const ir::Value& value = kept.module().values[i];
+        rebuilds += value.op == ir::Op::frame_rebuilt;
+        volumes += value.op == ir::Op::volume_world_at;
+        if (value.op != ir::Op::frame_resolved) continue;
+        const ir::Value& plane = kept.module().at(value.operands[0]);
+        EXPECT_EQ(plane.op, ir::Op::frame_rebuilt);
+        ir::Value& own = rebuilt.module().values[i];
+        own.op = ir::Op::frame_rebuilt;
+        own.operands = {plane.operands[0], value.operands[1], plane.operands[2]};
+        ++resolved;
+    }
+    EXPECT_EQ(rebuilds, 1);
+    EXPECT_EQ(volumes, 1);
+    EXPECT_EQ(resolved, 1);
+    EXPECT_GT(different(kept, rebuilt), 100);
 }
 
 }  // namespace

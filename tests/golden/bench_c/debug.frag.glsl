@@ -73,6 +73,7 @@ layout(location = 3) in vec4 sg_in_color;
 layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 6) in vec2 sg_in_uv2;
+layout(location = 12) in vec3 sg_in_object_position;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
@@ -81,13 +82,13 @@ void main() {
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
     SgUv m_uv2 = sg_stage_uv(sg_in_uv2);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, sg_material.p_tiling);
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
     SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(sg_material.p_depth, sg_material.d_parallax_multiply), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
-    vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
-    vec3 m_parallax = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height);
+    vec3 m_parallax = sg_parallax_position(m_frame, sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset), m_parallax_hit.height);
 
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
@@ -95,43 +96,36 @@ void main() {
     vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5)));
     vec3 m_stones = sg_material.p_stone_strength * m_stones_surfgrad_from_height;
 
-    SgUv m_moved_uv1 = sg_parallax_uv(m_uv1, m_parallax_pixels.x * m_uv1.dx + m_parallax_pixels.y * m_uv1.dy);
-
     // detail: normal_map
-    vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_moved_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_moved_uv1));
-
-    SgUv m_moved_uv0 = sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy);
+    vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
+    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
 
     // sphere: object_normal_map
-    vec3 m_sphere_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_sphere, s_0, m_moved_uv0).xyz, 127.5));
+    vec3 m_sphere_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_sphere, s_0, m_seen_uv).xyz, 127.5));
     vec3 m_sphere = sg_material.p_object_strength * sg_surfgrad_from_normal(m_base_normal, m_sphere_stored_normal);
 
-    SgUv m_moved_uv2 = sg_parallax_uv(m_uv2, m_parallax_pixels.x * m_uv2.dx + m_parallax_pixels.y * m_uv2.dy);
-
     // ribs: height_map
-    vec2 m_ribs_scale_deriv = sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_moved_uv2, sg_material.p_rib_tiling));
-    vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_moved_uv2));
+    vec2 m_ribs_scale_deriv = sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
+    vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_uv2));
 
     vec3 m_add_surfgrad = m_stones + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_seen_uv).x) + m_sphere + sg_combine_mask(m_ribs, sg_in_color.x);
     vec3 m_normal = sg_resolve(m_base_normal, m_add_surfgrad);
     SgFrame m_frame_2 = sg_stage_frame_rebuilt(m_parallax, m_normal, 1.0);
+    SgVolume m_world = sg_stage_world_volume(m_frame_2);
 
     // weave: triplanar
-    SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_world_volume(m_frame_2), sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
+    SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(sg_volume_scale(m_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
     vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5));
     vec2 m_weave_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5));
     vec2 m_weave_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5));
     vec3 m_weave_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, sg_material.p_exponent), m_weave_deriv, m_weave_deriv_2, m_weave_deriv_3, SG_LEFT_HAND, SG_LOWER_LEFT);
 
     // dents: noise
-    SgNoise m_dents_noise = sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_frame_2), sg_material.p_frequency), 6);
-    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(sg_material.p_frequency * sg_noise_power(m_dents_noise, sg_material.p_power).gradient);
+    SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6), sg_material.p_power);
+    vec3 m_dents_scale_volgrad = sg_material.p_dent_strength * sg_stage_gradient_from_object(sg_material.p_frequency * m_dents_noise.gradient);
 
-    vec3 m_add_volgrad = sg_combine_mask(sg_material.p_weave_strength * m_weave_gradient, sg_in_color.y) + sg_material.p_dent_strength * m_dents_gradient_from_object;
+    vec3 m_add_volgrad = sg_combine_mask(sg_material.p_weave_strength * m_weave_gradient, sg_in_color.y) + m_dents_scale_volgrad;
     vec3 m_normal_2 = sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad));
-    SgFrame m_frame_3 = sg_stage_frame_rebuilt(m_parallax, m_normal_2, 1.0);
-    SgVolume m_world = sg_stage_world_volume(m_frame_3);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
@@ -165,9 +159,9 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_shown = sg_stage_select(sg_shown, 11.0, vec3(m_uv2.st, 0.0));  // uv2
     sg_shown = sg_stage_select(sg_shown, 12.0, vec4(m_uv2.dx, m_uv2.dy));  // uv2-derivatives
-    sg_shown = sg_stage_select(sg_shown, 13.0, m_parallax);  // moved-position
-    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
-    sg_shown = sg_stage_select(sg_shown, 15.0, vec3(m_moved_uv1.st, 0.0));  // moved-uv1
-    sg_shown = sg_stage_select(sg_shown, 16.0, vec3(m_moved_uv2.st, 0.0));  // moved-uv2
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 14.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 15.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 16.0, m_parallax);  // moved-position
     sg_out_value = sg_shown;
 }
