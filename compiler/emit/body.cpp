@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/ice.hpp"
+#include "emit/levels.hpp"
 
 namespace sg::emit {
 namespace {
@@ -82,9 +83,11 @@ Body::Body(const ir::Module& module, const MaterialInterface& material, Wording 
       wording_(wording),
       looks_along_ray_(std::any_of(module.values.begin(), module.values.end(),
                                    [](const Value& v) { return ir::looks_along_ray(v.op); })) {
+    // A function is called from anywhere: it knows no neighbouring pixels.
+    if (wording_ == stage_wording) follows_the_pixels_ = follows_the_pixels(module_);
     count_uses();
     for (std::size_t i = 0; i < module_.values.size(); ++i) {
-        std::string_view include = wording_(module_.values[i].op).include;
+        std::string_view include = wording_of(module_.values[i]).include;
         if (!include.empty()) includes_.insert(include);
         std::string text = expression(module_.values[i]);
         bool named = wants_name(i, text);
@@ -201,8 +204,18 @@ std::string Body::operand_of(const Value& parent, std::size_t index) const {
     return member || (outer != Tightness::tight && looser) ? "(" + text + ")" : text;
 }
 
+bool Body::leaves_level_to_hardware(const Value& value) const {
+    return value.op == ir::Op::sample && !follows_the_pixels_.empty() &&
+           follows_the_pixels_[value.operands[0].index];
+}
+
+Wording Body::wording_of(const Value& value) const {
+    if (leaves_level_to_hardware(value)) return {"sg_stage_sample({t}, {s}, {0})", "stage/fragment.glsl"};
+    return wording_(value.op);
+}
+
 std::string Body::expression(const Value& value) const {
-    std::string text(wording_(value.op).glsl);
+    std::string text(wording_of(value).glsl);
     replace_all(text, "{a}", attribute(value));
     if (ir::info(value.op).attribute == Attribute::Texture) {
         const TextureSlot* slot = material_.texture(value.index);
@@ -223,6 +236,7 @@ bool Body::wants_name(std::size_t i, const std::string& expression) const {
     // Nor behind an alpha test, which ends the neighbours.
     const bool ends = module_.output(ir::Output::cutoff).valid();
     if ((looks_along_ray_ || ends) && ir::takes_screen_derivatives(value.op)) return true;
+    if (ends && leaves_level_to_hardware(value)) return true;
     return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame ||
            expression.size() > kLongExpression;
 }

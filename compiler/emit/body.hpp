@@ -32,6 +32,8 @@ public:
 
 private:
     [[nodiscard]] std::string expression(const ir::Value& value) const;
+    [[nodiscard]] bool leaves_level_to_hardware(const ir::Value& value) const;
+    [[nodiscard]] Wording wording_of(const ir::Value& value) const;
     [[nodiscard]] std::string attribute(const ir::Value& value) const;
     [[nodiscard]] std::string call(const ir::Value& value) const;
     [[nodiscard]] std::string operand_of(const ir::Value& parent, std::size_t index) const;
@@ -45,6 +47,7 @@ private:
     const MaterialInterface& material_;
     Wording (*wording_)(ir::Op);
     bool looks_along_ray_;
+    std::vector<bool> follows_the_pixels_;  // by value; empty in functions
     Names names_;
     std::vector<std::uint32_t> uses_;
     std::vector<bool> layer_result_;

@@ -10,6 +10,12 @@
 // A texture coordinate with its derivatives over the screen.
 SgUv sg_stage_uv(vec2 st) { return SgUv(st, dFdxFine(st), dFdyFine(st)); }
 
+// The filtered texel at uv, whose derivatives are those of the neighbouring pixels: the hardware finds the level of
+// detail itself, which is sg_sample's and costs less.
+vec4 sg_stage_sample(texture2D image, sampler filtering, SgUv uv) {
+    return texture(sampler2D(image, filtering), uv.st);
+}
+
 // A place in the space of a lookup with its derivatives over the screen.
 SgVolume sg_stage_volume(vec3 p) { return SgVolume(p, dFdxFine(p), dFdyFine(p)); }
 

@@ -114,10 +114,10 @@ TEST_P(EveryTarget, GoldenTexts) {
     const target::Target& target = *GetParam();
     if (&target == &wgsl_recipe()) GTEST_SKIP() << "surfgradc writes no WGSL";
     for (const char* name : kGolden) {
-        std::string text = all_texts(sample(name), target);
+        std::string text = all_texts(shipped(name), target);
         for (const target::Target* other : text_targets()) {
             if (other == &target) break;
-            if (all_texts(sample(name), *other) == text) text = fmt::format("as {}\n", other->name);
+            if (all_texts(shipped(name), *other) == text) text = fmt::format("as {}\n", other->name);
         }
         test::expect_golden(fmt::format("cross/golden/{}.{}.texts", name, target.name), text);
     }

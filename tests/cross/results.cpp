@@ -30,10 +30,9 @@ bool is_recipe(const Target& target) {
 
 // The function's caller in Vulkan's GLSL, between the stages that were shipped.
 ShaderWords glsl_to_words(const Drawing& drawing) {
-    static const target::ShaderLibrary kLibrary = target::embedded_library();
     std::string fault;
     auto words = target::compile_glsl(drawing.fragment.text, drawing.sample->name, target::Stage::fragment,
-                                      kLibrary, {}, fault);
+                                      drawn_library(), {}, fault);
     if (!words) throw std::runtime_error("glslang: " + fault);
     return {drawing.sample->artefact.entry(drawing.shown->entry)->vertex.words, std::move(*words)};
 }

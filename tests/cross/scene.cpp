@@ -16,6 +16,7 @@
 #include "runtime/vertices.hpp"
 #include "tests/cross/function_caller.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/own_levels.hpp"
 
 namespace sg::cross {
 namespace {
@@ -158,7 +159,19 @@ Sample make_sample(const std::string& name, const std::string& stem, const targe
     return out;
 }
 
+const target::ShaderLibrary& drawn_library() {
+    static const target::ShaderLibrary kLibrary = test::with_own_levels();
+    return kLibrary;
+}
+
 const Sample& sample(const std::string& name) {
+    static std::map<std::string, Sample> samples;
+    auto it = samples.find(name);
+    return it == samples.end() ? samples.emplace(name, make_sample(name, name, drawn_library())).first->second
+                               : it->second;
+}
+
+const Sample& shipped(const std::string& name) {
     static const target::ShaderLibrary kLibrary = target::embedded_library();
     static std::map<std::string, Sample> samples;
     auto it = samples.find(name);

@@ -85,7 +85,11 @@ struct Sample {
 
 // Those of materials/ and one of tests/cross/materials, which drops pixels.
 std::vector<std::string> sample_names();
-const Sample& sample(const std::string& name);  // compiled once
+// Compiled once; every level of detail is explicit (tests/support/own_levels.hpp), so that pictures differ by
+// the text alone.
+const Sample& sample(const std::string& name);
+const target::ShaderLibrary& drawn_library();    // that it is compiled with
+const Sample& shipped(const std::string& name);  // with the library as it is
 // By another stem, or with another shader library.
 Sample make_sample(const std::string& name, const std::string& stem, const target::ShaderLibrary& library);
 // The sample with level 0 of each texture alone, in floats: how a driver decodes sRGB is its own affair.

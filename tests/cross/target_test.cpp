@@ -79,7 +79,7 @@ TEST(Targets, TheCommandLineWritesWhatWasAskedFor) {
 
 TEST(Targets, SameBytesTwice) {
     for (const std::string& name : sample_names()) {
-        Sample again = make_sample(name, name, target::embedded_library());
+        Sample again = make_sample(name, name, drawn_library());
         EXPECT_EQ(again.texts, sample(name).texts) << name;
         EXPECT_EQ(again.manifest, sample(name).manifest) << name;
     }
@@ -150,11 +150,11 @@ TEST(Targets, TextsDeclareWhatTheManifestStates) {
     EXPECT_GT(rows, 1000u);
 }
 
-// The library with another body of sg_sample.
+// The library with another body of sg_stage_sample.
 target::ShaderLibrary library_with(const std::string& body) {
     target::ShaderLibrary library = target::embedded_library();
-    std::string& text = library.files.at("surfgrad/sample.glsl");
-    const std::string plain = "return textureGrad(sampler2D(image, filtering), uv.st, uv.dx, uv.dy);";
+    std::string& text = library.files.at("stage/fragment.glsl");
+    const std::string plain = "return texture(sampler2D(image, filtering), uv.st);";
     EXPECT_NE(text.find(plain), text.npos);
     text.replace(text.find(plain), plain.size(), body);
     return library;

@@ -41,10 +41,10 @@ std::map<std::string, std::string> dawn_faults(const std::filesystem::path& fold
 
 // Every shader of a sample by "<entry>.<stage>"; one run of node per sample.
 const std::map<std::string, Written>& written(const Sample& sample) {
-    static std::map<std::string, std::map<std::string, Written>> all;
-    auto [at, fresh] = all.try_emplace(sample.name);
+    static std::map<std::pair<std::string, std::vector<std::uint32_t>>, std::map<std::string, Written>> all;
+    auto [at, fresh] = all.try_emplace({sample.name, sample.artefact.entry("normal")->fragment.words});
     if (!fresh) return at->second;
-    const auto folder = scratch() / ("wgsl-" + sample.name);
+    const auto folder = scratch() / fmt::format("wgsl-{}-{}", sample.name, all.size());
     std::filesystem::create_directories(folder);
     std::string files;
     std::vector<std::string> names;

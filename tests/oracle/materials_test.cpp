@@ -9,6 +9,7 @@
 #include "tests/oracle/material_oracle.hpp"
 #include "tests/oracle/module_mutants.hpp"
 #include "tests/render/workshop.hpp"
+#include "tests/support/own_levels.hpp"
 
 namespace sg::oracle {
 namespace {
@@ -51,7 +52,7 @@ TEST_P(MaterialOracle, RenderAgreesWithTheInterpreter) {
             // Each input and each read is moved by itself: the time grows with the square of a module's size.
             const std::size_t part = material.module.values.size() > kLarge ? kStride : 1;
             const Comparison c = compare(material, material.module, inputs_of(sample, seen),
-                                         draw_normals(sample, seen, levels, target::embedded_library()),
+                                         draw_normals(sample, seen, levels, test::with_own_levels()),
                                          seen == Seen::outside ? part : 2 * part);
             const std::string text =
                 report(fmt::format("{}{}{}", sample, seen == Seen::outside ? "" : ", back faces",
@@ -163,6 +164,43 @@ TEST_P(OracleNoticesShader, ThatIsWrong) {
 
 INSTANTIATE_TEST_SUITE_P(Library, OracleNoticesShader, testing::ValuesIn(kShaderMutants),
                          [](const auto& row) { return row.param.name; });
+
+// ---- levels of detail that the hardware finds ----
+
+double middle_angle(const std::vector<ref::dvec3>& a, const std::vector<ref::dvec3>& b) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        angles.push_back(std::atan2(glm::length(glm::cross(a[i], b[i])), glm::dot(a[i], b[i])));
+    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+    std::nth_element(angles.begin(), middle, angles.end());
+    return *middle;
+}
+
+// What the hardware's choice moves normals by, in the middle, against what half a level does: less than a
+// quarter, so an eighth of a level (the driver's logarithm alone is up to 0.043 of a level off). A bias of
+// half a level is not.
+TEST(HardwareLevels, AreThoseOfTheDerivatives) {
+    for (const char* sample :
+         {"normal_map.json", "two_unwraps.json", "triplanar.json", "planar.json", "layered.json"}) {
+        const auto draw = [&](const target::ShaderLibrary& library) {
+            return draw_normals(sample, Seen::outside, Levels::all, library);
+        };
+        target::ShaderLibrary biased = target::embedded_library();
+        std::string& text = biased.files["stage/fragment.glsl"];
+        text.replace(text.find("uv.st);"), 7, "uv.st, -0.5);");
+        const std::vector<ref::dvec3> own = draw(test::with_own_levels());
+        const double half_a_level = middle_angle(own, draw(test::with_own_levels("0.70710678 * ")));
+        const double hardware = middle_angle(own, draw(target::embedded_library())) / half_a_level;
+        const double wrong = middle_angle(own, draw(biased)) / half_a_level;
+        fmt::print(
+            "{:20} half a level {:.4f} degrees; the hardware's choice {:.3f} of it, with a bias of -0.5 "
+            "{:.3f}\n",
+            sample, half_a_level * 57.29578, hardware, wrong);
+        EXPECT_LT(hardware, 0.25) << sample;
+        EXPECT_GT(wrong, 0.25) << sample;
+        EXPECT_GT(half_a_level, 1e-3 / 57.29578) << sample;
+    }
+}
 
 // A user's function that is not what its equivalent says.
 TEST(OracleNoticesGlsl, ThatIsWrong) {

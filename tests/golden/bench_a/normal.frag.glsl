@@ -5,7 +5,6 @@
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
@@ -25,7 +24,7 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), sg_material.p_tiling)).xyz, 127.5);
 
     vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave_m, vec2(sg_material.p_strength));
     sg_out_normal = vec4(m_normal, 1.0);

@@ -9,7 +9,6 @@
 #include "surfgrad/frame.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -34,8 +33,10 @@ void main() {
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
     // pd: normal_blend
-    vec2 m_pd_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0));
-    vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
+    vec3 m_pd_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0);
+    vec2 m_pd_deriv = sg_deriv_from_normal_xyz(m_pd_m);
+    vec2 m_pd_m_2 = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
+    vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(m_pd_m_2);
     SgBasis m_pd_basis = sg_basis_uv(m_frame, m_uv0);
     SgBasis m_pd_basis_2 = sg_basis_uv(m_frame, m_uv1);
     vec3 m_pd = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis) + sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
@@ -59,8 +60,9 @@ void main() {
     vec3 m_weighted = sg_surfgrad_from_tbn(0.5 * m_pd_deriv, m_pd_basis) + sg_surfgrad_from_tbn(sg_material.p_second * m_pd_deriv_2, m_pd_basis_2);
 
     // rnm: normal_blend
-    vec2 m_rnm_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5));
-    vec3 m_rnm = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(sg_combine_rnm(m_whiteout_m, sg_normal_from_deriv(m_rnm_deriv))), m_pd_basis);
+    vec2 m_rnm_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5);
+    vec2 m_rnm_deriv = sg_deriv_from_normal_xyz(sg_combine_rnm(m_whiteout_m, sg_normal_from_deriv(sg_deriv_from_normal_xy(m_rnm_m))));
+    vec3 m_rnm = sg_surfgrad_from_tbn(m_rnm_deriv, m_pd_basis);
 
     vec3 m_mix_surfgrad_2 = sg_combine_mix(sg_combine_mix(m_mix_surfgrad, m_weighted, sg_smoothstep(0.07, 0.09, m_height)), m_rnm, sg_smoothstep(0.25, 0.27, m_height));
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);

@@ -41,7 +41,7 @@ void main() {
     // chart: decal
     mat4 m_chart_projector = mat4(mat4x3(vec3(2.2222223, 0.0, 0.0), vec3(0.0, -1.5094117, -2.0478802), vec3(0.0, 2.1556633, -1.4339411), vec3(-0.44444445, -1.9184061, 2.1916993)));
     SgDecal m_chart_decal = sg_decal_box(m_chart_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_chart_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_chart, s_0, m_chart_decal.uv).xyz, 127.5));
+    vec2 m_chart_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_chart, s_0, m_chart_decal.uv).xyz, 127.5));
     vec3 m_chart_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_chart_deriv), m_chart_decal));
     float m_chart_angle_fade = sg_decal_angle_fade(sg_stage_object_normal(m_base_normal), vec3(0.0, 0.81915206, 0.57357645), 0.64278764, 0.087155744);
     vec3 m_chart_mask_volgrad = sg_combine_mask(1.2 * m_chart_gradient_from_object, sg_decal_falloff_box(m_chart_decal.local, 0.1) * m_chart_angle_fade);
@@ -58,8 +58,8 @@ void main() {
     // dent: decal
     mat4 m_dent_projector = mat4(mat4x3(vec3(2.8867514, 0.0, -1.6666666), vec3(-1.4433757, -1.6666666, -2.5), vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317)));
     SgDecal m_dent_decal = sg_decal_box(m_dent_projector, m_world.p, m_world.dx, m_world.dy);
-    vec2 m_dent_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0));
-    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) * sg_sample(t_moss, s_0, m_dent_decal.uv).x;
+    vec2 m_dent_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0));
+    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) * sg_stage_sample(t_moss, s_0, m_dent_decal.uv).x;
     vec3 m_dent_mask_volgrad = sg_combine_mask(-1.0 * sg_decal_gradient(sg_deriv_green_up(m_dent_deriv), m_dent_decal), m_dent_coverage);
 
     vec3 m_add_volgrad = 0.008 * m_grain_gradient_from_object + m_chart_mask_volgrad + m_pebbles_mask_volgrad + m_dent_mask_volgrad;
@@ -67,7 +67,7 @@ void main() {
     // wedge: decal
     mat4 m_wedge_projector = mat4(mat4x3(vec3(0.0, -2.5, 0.0), vec3(0.0, 0.0, -1.25), vec3(2.0, 0.0, 0.0), vec3(0.6, -2.625, 1.0)));
     SgDecal m_wedge_decal = sg_decal_box(m_wedge_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_wedge_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_chart, s_0, m_wedge_decal.uv).xyz, 127.5));
+    vec2 m_wedge_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_chart, s_0, m_wedge_decal.uv).xyz, 127.5));
     vec3 m_wedge_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_wedge_deriv), m_wedge_decal));
     vec3 m_wedge_mask_volgrad = sg_combine_mask(0.8 * m_wedge_gradient_from_object, sg_decal_falloff_wedge(m_wedge_decal.local, 0.2));
 

@@ -11,7 +11,6 @@
 #include "surfgrad/from_normal.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -32,23 +31,23 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // layer 1: normal_map
-    vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(5.0, 2.0))).xyz, 127.0));
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(m_layer_1_deriv), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_layer_1_m = sg_decode_signed(sg_stage_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(5.0, 2.0))).xyz, 127.0);
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_layer_1_m)), sg_basis_uv(m_frame, m_uv0));
 
     vec3 m_normal = sg_resolve(m_base_normal, m_layer_1);
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
     // layer 2: normal_map
-    vec2 m_layer_2_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
-    vec3 m_layer_2 = sg_surfgrad_from_tbn(m_layer_2_deriv, sg_basis_uv(m_frame_2, m_uv1));
+    vec2 m_layer_2_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
+    vec3 m_layer_2 = sg_surfgrad_from_tbn(sg_deriv_from_normal_xy(m_layer_2_m), sg_basis_uv(m_frame_2, m_uv1));
 
     vec3 m_normal_2 = sg_resolve(m_normal, m_layer_2);
 
     // layer 3: earlier_normal
     vec3 m_layer_3 = sg_surfgrad_from_normal(m_normal_2, m_normal);
 
-    float m_water = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
+    float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
     vec3 m_normal_3 = sg_resolve(m_normal_2, sg_combine_mask(m_layer_3, m_water));
 
     // layer 4: earlier_normal

@@ -3,7 +3,6 @@
 // leaf: fragment shader of the entry point 'depth', made by surfgradc.
 
 #include "stage/fragment.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
@@ -17,5 +16,6 @@ layout(location = 4) in vec2 sg_in_uv0;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-    if (1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten < 0.58) discard;
+    vec4 m_texel = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
+    if (1.0 - m_texel.x * sg_material.p_eaten < 0.58) discard;
 }

@@ -13,7 +13,6 @@
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 #include "surfgrad/volume.glsl"
 
@@ -47,15 +46,18 @@ void main() {
     // blisters: noise
     vec3 m_blisters_gradient_from_object = sg_stage_gradient_from_object(7.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient);
 
-    float m_vein = sg_sample(t_veins, s_0, m_veins_uv).x;
+    vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
+    float m_vein = m_texel.x;
 
     // blisters: noise
     vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_vein));
 
+    vec4 m_texel_2 = sg_stage_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0)));
     float m_mix = mix(0.35, 0.7, sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value));
-    float m_subtract = 1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten;
+    vec4 m_texel_3 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
+    float m_subtract = 1.0 - m_texel_3.x * sg_material.p_eaten;
     if (m_subtract < 0.58) discard;
-    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.16, 0.5, 0.12) * sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow);
+    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.16, 0.5, 0.12) * m_texel_2.rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow);
     vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, m_subtract);
 }

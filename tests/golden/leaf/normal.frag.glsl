@@ -10,7 +10,6 @@
 #include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/uv.glsl"
 #include "surfgrad/volume.glsl"
 
@@ -42,9 +41,13 @@ void main() {
 
     // blisters: noise
     vec3 m_blisters_gradient_from_object = sg_stage_gradient_from_object(7.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient);
-    vec3 m_blisters_mask_volgrad = sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - sg_sample(t_veins, s_0, m_veins_uv).x);
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, m_blisters_mask_volgrad);
 
-    if (1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten < 0.58) discard;
+    vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
+
+    // blisters: noise
+    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_texel.x));
+
+    vec4 m_texel_2 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
+    if (1.0 - m_texel_2.x * sg_material.p_eaten < 0.58) discard;
     sg_out_normal = vec4(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()), 1.0);
 }

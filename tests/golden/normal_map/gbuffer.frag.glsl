@@ -6,7 +6,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -27,7 +26,7 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // layer 1: normal_map
-    vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));
+    vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));
     vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(m_layer_1_deriv), sg_basis_uv(m_frame, m_uv0));
 
     sg_out_base_color = vec4(vec3(0.45, 0.16, 0.1), 1.0);

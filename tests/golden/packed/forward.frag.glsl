@@ -8,7 +8,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -28,10 +27,10 @@ void main() {
 
     // weave: normal_map
     SgUv m_weave_uv = sg_uv_scale(m_uv0, vec2(6.0, 3.0));
-    vec2 m_weave_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_uv).wyzw.xy, 127.5));
+    vec2 m_weave_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_weave_uv).wyzw.xy, 127.5));
     vec3 m_weave = sg_surfgrad_from_tbn(0.7 * m_weave_deriv, sg_basis_uv(m_frame, m_uv0));
 
-    vec4 m_texel = sg_sample(t_paint, s_0, m_weave_uv);
+    vec4 m_texel = sg_stage_sample(t_paint, s_0, m_weave_uv);
     float m_painted = m_texel.x;
     vec3 m_mix_color = mix(mix(vec3(0.1, 0.07, 0.05), vec3(0.55, 0.42, 0.3), m_texel.z), vec3(0.08, 0.2, 0.45), m_painted);
     SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, m_painted * -0.5 + 0.85, 1.0, vec3(0.0));

@@ -6,7 +6,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -24,7 +23,7 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec2 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).wyzw.xy, 127.5);
+    vec2 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).wyzw.xy, 127.5);
     vec3 m_weave = sg_surfgrad_from_tbn(0.7 * sg_deriv_from_normal_xy(m_weave_m), sg_basis_uv(m_frame, m_uv0));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_weave), 1.0);

@@ -10,7 +10,6 @@
 #include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/triplanar.glsl"
 #include "surfgrad/volume.glsl"
 
@@ -26,7 +25,7 @@ void main() {
     SgVolume m_world = sg_stage_volume(sg_in_world_position);
 
     // rain: planar
-    vec4 m_rain_texel = sg_sample(t_pebble, s_0, sg_volume_triplanar_uv(sg_volume_scale(m_world, 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT).y);
+    vec4 m_rain_texel = sg_stage_sample(t_pebble, s_0, sg_volume_triplanar_uv(sg_volume_scale(m_world, 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT).y);
     vec2 m_rain_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(m_rain_texel.xyz, 127.0)));
     vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
 

@@ -9,7 +9,6 @@
 #include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/triplanar.glsl"
 #include "surfgrad/volume.glsl"
 
@@ -23,7 +22,7 @@ layout(location = 0) out vec4 sg_out_normal;
 void main() {
     // rain: planar
     SgTriplanarUv m_rain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_world_position), 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_rain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rain_planes.y).xyz, 127.0));
+    vec2 m_rain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rain_planes.y).xyz, 127.0));
     vec2 m_rain_deriv_2 = sg_deriv_green_up(m_rain_deriv);
     vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv_2, m_rain_deriv_2, m_rain_deriv_2, SG_RIGHT_HAND, SG_UPPER_LEFT);
 

@@ -12,7 +12,6 @@
 #include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 #include "surfgrad/volume.glsl"
@@ -40,7 +39,7 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // bumps: normal_map
-    vec3 m_bumps_m = sg_decode_signed(sg_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
+    vec3 m_bumps_m = sg_decode_signed(sg_stage_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
     vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
 
     SgVolume m_object = sg_stage_volume(sg_in_object_position);

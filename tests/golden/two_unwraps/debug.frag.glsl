@@ -7,7 +7,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -30,16 +29,16 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0));
-    vec3 m_weave = sg_surfgrad_from_tbn(m_weave_deriv, m_basis_vertex);
+    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(m_weave_m), m_basis_vertex);
 
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
     // scratches: normal_map
-    vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
-    vec3 m_scratches = sg_surfgrad_from_tbn(sg_material.p_scratch_depth * m_scratches_deriv, sg_basis_uv(m_frame, m_uv1));
+    vec2 m_scratches_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
+    vec3 m_scratches = sg_surfgrad_from_tbn(sg_material.p_scratch_depth * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame, m_uv1));
 
     vec3 m_add_surfgrad = m_weave + m_scratches;
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);

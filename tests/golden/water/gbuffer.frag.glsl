@@ -8,7 +8,6 @@
 #include "surfgrad/frame.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 #include "surfgrad/uv.glsl"
 
@@ -36,12 +35,12 @@ void main() {
 
     // swell: normal_map
     SgUv m_swell_uv = sg_uv_transform(m_uv0, vec2(3.0, 2.0), 0.20943952, vec2(0.0) + m_time * vec2(0.03, 0.01));
-    vec2 m_swell_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ripples, s_0, m_swell_uv).xyz, 127.5));
+    vec2 m_swell_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_ripples, s_0, m_swell_uv).xyz, 127.5));
     vec3 m_swell = sg_surfgrad_from_tbn(sg_material.p_wind * sg_deriv_green_up(m_swell_deriv), sg_basis_uv(m_frame, m_swell_uv));
 
     // chop: normal_map
     SgUv m_chop_uv = sg_uv_transform(m_uv0, vec2(8.0, 5.0), -1.134464, vec2(0.0) + m_time * vec2(-0.05, 0.07));
-    vec2 m_chop_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ripples, s_0, m_chop_uv).xyz, 127.5));
+    vec2 m_chop_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_ripples, s_0, m_chop_uv).xyz, 127.5));
     vec3 m_chop = sg_surfgrad_from_tbn(sg_material.d_multiply * sg_deriv_green_up(m_chop_deriv), sg_basis_uv(m_frame, m_chop_uv));
 
     vec3 m_mix_color = mix(sg_material.p_depth, vec3(0.02, 0.16, 0.14), sg_smoothstep(-0.2, 0.9, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));

@@ -7,7 +7,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 #include "surfgrad/tbn.glsl"
 
 layout(set = 1, binding = 2) uniform texture2D t_normal_map;
@@ -24,7 +23,7 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // bump_normal: normal_map
-    vec3 m_bump_normal_m = sg_decode_signed(sg_sample(t_normal_map, s_0, m_uv0).xyz, 127.5);
+    vec3 m_bump_normal_m = sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5);
     vec3 m_bump_normal = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bump_normal_m)), m_basis_vertex);
 
     SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));

@@ -7,7 +7,6 @@
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     vec3 p_specular_intensity;
@@ -26,8 +25,8 @@ layout(location = 0) out vec4 sg_out_color;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_sample(t_normal_map, s_0, m_uv0).xyz, 127.5), vec2(1.0, -1.0));
-    vec3 m_color = sg_sample(t_color_map, s_0, m_uv0).rgb;
+    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5), vec2(1.0, -1.0));
+    vec3 m_color = sg_stage_sample(t_color_map, s_0, m_uv0).rgb;
     SgPhongSurface sg_surface = SgPhongSurface(m_color, m_color * sg_material.p_specular_intensity, sg_material.p_specular_power, 1.0, vec3(0.0));
     vec3 sg_radiance = sg_phong_radiance(sg_surface, m_normal, sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);

@@ -5,7 +5,6 @@
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/resolve.glsl"
-#include "surfgrad/sample.glsl"
 
 layout(set = 1, binding = 2) uniform texture2D t_normal_map;
 layout(set = 1, binding = 3) uniform sampler s_0;
@@ -16,6 +15,6 @@ layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_sample(t_normal_map, s_0, sg_stage_uv(sg_in_uv0)).xyz, 127.5), vec2(1.0, -1.0));
+    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_stage_sample(t_normal_map, s_0, sg_stage_uv(sg_in_uv0)).xyz, 127.5), vec2(1.0, -1.0));
     sg_out_normal = vec4(m_normal, 1.0);
 }
