@@ -411,6 +411,8 @@ Rows gradients_rows() {
         // normals
         Row{Op::resolve, ref::resolve},
         Row{Op::resolve_vertex_map, ref::resolve_vertex_map},
+        Row{Op::resolve_volume, ref::resolve_volume},
+        Row{Op::resolve_towards, ref::resolve_towards},
         Row{Op::flip, ref::flip},
     };
 }

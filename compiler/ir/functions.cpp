@@ -141,6 +141,8 @@ Rows surface_rows() {
         Row{"sg_mirror_normal", ref::mirror_normal},
         Row{"sg_resolve", ref::resolve},
         Row{"sg_resolve_vertex_map", ref::resolve_vertex_map},
+        Row{"sg_resolve_volume", ref::resolve_volume},
+        Row{"sg_resolve_towards", ref::resolve_towards},
         Row{"sg_flip", ref::flip},
         Row{"sg_invert", ref::invert},
         Row{"sg_basis_vertex", ref::basis_vertex},

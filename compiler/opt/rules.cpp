@@ -11,6 +11,13 @@ using ir::Op;
 using ir::Value;
 using ir::ValueId;
 
+// A value like this one without its name: for the parts of a sum, which belong to no layer's name.
+Value unnamed(const Value& value) {
+    Value like = value;
+    like.name = "";
+    return like;
+}
+
 bool is_constant(const Value* value, double number) {
     return value && value->op == Op::constant && value->number[0] == number;
 }
@@ -32,8 +39,29 @@ ValueId scale_by_one(Rewriter& rewriter, const Value& value) {
     return is_constant(rewriter.operand(value, 0, Op::constant), 1.0) ? value.operands[1] : ValueId{};
 }
 
+// s (t x): numbers are multiplied before vectors are.
+ValueId one_factor(Rewriter& rewriter, const Value& value) {
+    const Value inner = rewriter.at(value.operands[1]);
+    if (inner.op != value.op) return {};
+    const ValueId both = rewriter.add(Op::multiply, {value.operands[0], inner.operands[0]}, unnamed(value));
+    return rewriter.add(value.op, {both, inner.operands[1]}, value);
+}
+
+ValueId scale_before_turn(Rewriter& rewriter, const Value& value) {
+    const Value turned = rewriter.at(value.operands[1]);
+    if (turned.op != Op::gradient_from_object && turned.op != Op::gradient_from_world) return {};
+    const Value gradient = rewriter.at(turned.operands[0]);
+    if (gradient.op != Op::noise_gradient) return {};
+    const ValueId both =
+        rewriter.add(Op::multiply, {value.operands[0], gradient.operands[0]}, unnamed(gradient));
+    const ValueId scaled = rewriter.add(Op::noise_gradient, {both, gradient.operands[1]}, unnamed(gradient));
+    return rewriter.add(turned.op, {scaled}, turned);
+}
+
 ValueId scale_to_nothing(Rewriter& rewriter, const Value& value) {
-    if (!is_constant(rewriter.operand(value, 0, Op::constant), 0.0)) return {};
+    if (!is_constant(rewriter.operand(value, 0, Op::constant), 0.0) &&
+        !rewriter.operand(value, 1, Op::zero_surfgrad))
+        return {};
     return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
@@ -68,13 +96,6 @@ ValueId positive_tiling_turns_nothing(Rewriter& rewriter, const Value& value) {
 
 // ---- projections are linear ----
 
-// A value like this one without its name: for the parts of a sum, which belong to no layer's name.
-Value unnamed(const Value& value) {
-    Value like = value;
-    like.name = "";
-    return like;
-}
-
 ValueId scale_before_projection(Rewriter& rewriter, const Value& value) {
     const Value projected = rewriter.at(value.operands[1]);
     if (projected.op == Op::surfgrad_from_tbn) {
@@ -86,6 +107,12 @@ ValueId scale_before_projection(Rewriter& rewriter, const Value& value) {
         ValueId scaled =
             rewriter.add(Op::scale_volgrad, {value.operands[0], projected.operands[1]}, unnamed(projected));
         return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], scaled}, projected);
+    }
+    if (projected.op == Op::surfgrad_from_height) {
+        Value scaled = projected;
+        scaled.operands[2] =
+            rewriter.add(Op::scale_deriv, {value.operands[0], projected.operands[2]}, unnamed(projected));
+        return rewriter.add(std::move(scaled));
     }
     return {};
 }
@@ -184,27 +211,70 @@ ValueId one_vertex_map(Rewriter& rewriter, const Value& value) {
     return rewriter.add(Op::resolve_vertex_map, {vertex_normal, tangent, facing, m, both}, value);
 }
 
+// ---- a projection and its resolve ----
+
+// n - (v - dot(n, v) n) = (1 + dot(n, v)) n - v.
+ValueId project_and_resolve(Rewriter& rewriter, const Value& value) {
+    const Value* projected = rewriter.operand(value, 1, Op::surfgrad_from_volume);
+    if (!projected || projected->operands[0] != value.operands[0]) return {};
+    return rewriter.add(Op::resolve_volume, {value.operands[0], projected->operands[1]}, value);
+}
+
+// The gradient whose resolve is v, taken in part.
+ValueId resolve_towards_normal(Rewriter& rewriter, const Value& value) {
+    const Value* scaled = rewriter.operand(value, 1, Op::scale_surfgrad);
+    const Value* gradient = scaled ? rewriter.operand(*scaled, 1, Op::surfgrad_from_normal) : nullptr;
+    if (!gradient || gradient->operands[0] != value.operands[0]) return {};
+    const Value* wanted = rewriter.operand(*gradient, 1, Op::direction_of);
+    if (!wanted) return {};
+    return rewriter.add(Op::resolve_towards, {value.operands[0], wanted->operands[0], scaled->operands[0]},
+                        value);
+}
+
 // ---- masks and mixes ----
 
-ValueId trivial_mask(Rewriter& rewriter, const Value& value) {
-    const Value* mask = rewriter.operand(value, 1, Op::constant);
-    if (rewriter.operand(value, 0, Op::zero_surfgrad) || is_constant(mask, 0))
-        return rewriter.add(Op::zero_surfgrad, {}, value);
-    return is_constant(mask, 1) ? value.operands[0] : ValueId{};
+// At most so many operations are looked through.
+bool is_not_negative(const Rewriter& rewriter, ValueId id, int depth = 4) {
+    const Value& value = rewriter.at(id);
+    switch (value.op) {
+        case Op::constant:
+            return value.number[0] >= 0;
+        case Op::parameter: {
+            const auto& range = rewriter.parameter(value).range;
+            return range && (*range)[0] >= 0;
+        }
+        case Op::channel:  // of a texel, 0 to 1
+        case Op::decal_falloff_box:
+        case Op::decal_falloff_cone:
+        case Op::decal_falloff_sphere:
+        case Op::decal_falloff_capsule:
+        case Op::decal_falloff_wedge:
+            return true;
+        case Op::multiply:
+            return depth > 0 && is_not_negative(rewriter, value.operands[0], depth - 1) &&
+                   is_not_negative(rewriter, value.operands[1], depth - 1);
+        case Op::maximum:
+            return depth > 0 && (is_not_negative(rewriter, value.operands[0], depth - 1) ||
+                                 is_not_negative(rewriter, value.operands[1], depth - 1));
+        default:
+            return false;
+    }
+}
+
+// Bumps are numbers; of what is none, a mask of 0 would hide nothing any more.
+ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
+    const Value like = unnamed(value);
+    ValueId factor = value.operands[1];
+    if (!is_not_negative(rewriter, factor))
+        factor = rewriter.add(Op::maximum, {factor, number(rewriter, ir::Type::Scalar, {0.0}, like)}, like);
+    const bool volume = value.op == Op::mask_volgrad;
+    return rewriter.add(volume ? Op::scale_volgrad : Op::scale_surfgrad, {factor, value.operands[0]}, value);
 }
 
 ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
     const Value* t = rewriter.operand(value, 2, Op::constant);
     if (t && t->number[0] <= 0) return value.operands[0];
     return t && t->number[0] >= 1 ? value.operands[1] : ValueId{};
-}
-
-ValueId mask_before_projection(Rewriter& rewriter, const Value& value) {
-    const Value projected = rewriter.at(value.operands[0]);
-    if (projected.op != Op::surfgrad_from_volume) return {};
-    ValueId masked =
-        rewriter.add(Op::mask_volgrad, {projected.operands[1], value.operands[1]}, unnamed(projected));
-    return rewriter.add(Op::surfgrad_from_volume, {projected.operands[0], masked}, projected);
 }
 
 ValueId mix_before_projection(Rewriter& rewriter, const Value& value) {
@@ -287,6 +357,14 @@ std::span<const Rule> all_rules() {
     using enum Op;
     static const Rule kRules[] = {
         {"scale_by_one", "1 x = x", {scale_deriv, scale_surfgrad, scale_volgrad}, scale_by_one},
+        {"one_factor",
+         "s (t x) = (s t) x: numbers are multiplied before vectors are",
+         {scale_deriv, scale_surfgrad, scale_volgrad},
+         one_factor},
+        {"scale_before_turn",
+         "the gradient of s times a noise of frequency f is s f times the noise's",
+         {scale_volgrad},
+         scale_before_turn},
         {"scale_to_nothing",
          "0 g = 0: a layer of strength 0 vanishes, its texture and basis with it",
          {scale_surfgrad},
@@ -303,6 +381,17 @@ std::span<const Rule> all_rules() {
          "divided out first",
          {resolve},
          one_vertex_map},
+        {"project_and_resolve",
+         "n - (v - dot(n, v) n) = (1 + dot(n, v)) n - v: what a volume bump is projected for is taken away "
+         "again",
+         {resolve},
+         project_and_resolve},
+        {"resolve_towards_normal",
+         "n minus a part t of the gradient that leads to v is along (rise - t dot(n, v)) n + t v: no vector "
+         "is "
+         "divided",
+         {resolve},
+         resolve_towards_normal},
         {"positive_tiling_shares_basis",
          "T and B are unit vectors along +s and +t: positive tiling keeps both",
          {basis_uv},
@@ -316,12 +405,11 @@ std::span<const Rule> all_rules() {
          "paper's footnote on decals)",
          {add_surfgrad},
          one_projection},
-        {"trivial_mask", "a mask of 1 shows all, a mask of 0 nothing", {mask_surfgrad}, trivial_mask},
         {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
-        {"mask_before_projection",
-         "a mask is a factor and projection is linear: volume bumps under masks can be added to others",
-         {mask_surfgrad},
-         mask_before_projection},
+        {"mask_is_a_factor",
+         "a mask is a factor, not below 0: it can be multiplied with the strength",
+         {mask_surfgrad, mask_volgrad},
+         mask_is_a_factor},
         {"mix_before_projection",
          "projection is linear: a mix of two volume bumps is projected once",
          {mix_surfgrad},

@@ -3,6 +3,8 @@
 #define SG_RESOLVE
 
 #include "surfgrad/deriv.glsl"
+#include "surfgrad/from_normal.glsl"
+#include "surfgrad/from_volume.glsl"
 
 // n' = normalize(n - g).
 //   n: unit; g: the sum of all surface gradients, perpendicular to n but for vertex tangents.
@@ -33,6 +35,31 @@ vec3 sg_resolve_vertex_map(vec3 vertex_normal, vec4 vertex_tangent, float facing
     float square = dot(bumped, bumped);
     bool number = square < 1e38;
     return number ? bumped * inversesqrt(max(square, 1e-37)) : n;
+}
+
+// n' of a volume bump at once: normalize((1 + dot(n, v)) n - v).
+//   n: unit; gradient: v, as in sg_surfgrad_from_volume.
+// Result: sg_resolve of that surface gradient; n where v is not a number or longer than 1e17. Cost: 0 instructions.
+// Source: Listings 1 and 8.
+vec3 sg_resolve_volume(vec3 n, vec3 gradient) {
+    float largest = max(max(abs(gradient.x), abs(gradient.y)), abs(gradient.z));
+    // Beyond the largest gradient n grows, instead of the gradient being cut.
+    float rise = max(largest / SG_MAX_VOLUME_GRADIENT, 1.0);
+    vec3 bumped = (rise + dot(n, gradient)) * n - gradient;
+    float square = dot(bumped, bumped);  // at least rise^2
+    // False for not-a-number: then n.
+    return square < 1e38 ? bumped * inversesqrt(square) : n;
+}
+
+// Part of the way from one normal to another, measured along the surface gradient that leads there.
+//   n, wanted: unit; part: 0 gives n, 1 gives wanted, any number.
+// Result: sg_resolve of part times sg_surfgrad_from_normal(n, wanted). Cost: 0 instructions. Source: Listings 1 and 5.
+vec3 sg_resolve_towards(vec3 n, vec3 wanted, float part) {
+    float along = dot(n, wanted);
+    // The length of the tilt, sqrt(1 - along^2), where the gradient is cut: there |along| < 1/128.
+    float rise = max(abs(along), (1.0 - 0.5 * along * along) / SG_MAX_SURFGRAD);
+    vec3 bumped = (rise - part * along) * n + part * wanted;
+    return bumped * inversesqrt(dot(bumped, bumped));  // at least rise long
 }
 
 // "flip": the whole resolved normal turns with the side (glTF's rule).

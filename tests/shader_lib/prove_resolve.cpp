@@ -1,5 +1,8 @@
 // From surface gradients to normals (shader_lib/surfgrad/resolve.glsl) against double precision.
+#include <algorithm>
+
 #include "draws.hpp"
+#include "ir/reference/from_volume.hpp"
 #include "ir/reference/resolve.hpp"
 
 namespace sg::proof {
@@ -78,6 +81,96 @@ Case vertex_map_any_texel() {
     return item;
 }
 
+// A normal and a volume gradient.
+Case volume() {
+    return {
+        .name = "resolve_volume",
+        .include = kFile,
+        .inputs = 6,
+        .outputs = 3,
+        .glsl = "put(0, sg_resolve_volume(v3(0), v3(3)));",
+        .draw =
+            [](Random& random, Draw& in) {
+                in.put(0, random.direction()), in.put(3, random.direction() * random.magnitude(1e-3, 1e6));
+            },
+        .reference = [](const In& in, Expect& out) { out.put(0, ref::resolve_volume(in.v3(0), in.v3(3))); },
+        // A dot product (3), n's own length (2), two sums and two products (4), a quotient (1), and a
+        // normalisation (5); doubled.
+        .bound = {.absolute = 30 * kUlp},
+        .condition =
+            [](const In& in) {  // what the terms are longer than their sum
+                const glm::dvec3 n = in.v3(0), v = in.v3(3), size = glm::abs(v);
+                const double rise =
+                    std::max({size.x, size.y, size.z, ref::kMaxVolumeGradient}) / ref::kMaxVolumeGradient;
+                const double along = glm::dot(n, v);
+                return (rise + std::abs(along) + glm::length(v)) / glm::length((rise + along) * n - v);
+            },
+        .property = unit_and_outward,
+        .mutants = {{kFile, "largest / SG_MAX_VOLUME_GRADIENT, 1.0", "0.0, 1.0"},
+                    {kFile, "(rise + dot(n, gradient)) * n", "rise * n"}}};
+}
+
+Case volume_any_input() {
+    Case item = volume();
+    item.name = "resolve_volume_any_input";
+    item.draw = draw_normal_then_wild;
+    item.reference = {};
+    item.condition = {};
+    item.mutants = {{kFile, "* n - gradient;", "* n - gradient; if (true) return normalize(bumped);"}};
+    return item;
+}
+
+Case volume_along_n() {
+    Case item = volume();
+    item.name = "resolve_volume_along_n";
+    item.blunt = "what is left of a gradient along n is rounding alone";
+    item.inputs = 4;
+    item.glsl = "put(0, sg_resolve_volume(v3(0), f(3) * v3(0)));";
+    item.draw = [](Random& random, Draw& in) {
+        in.put(0, random.direction()), in.put(3, random.sign() * random.magnitude(1.0, 1e15));
+    };
+    item.reference = [](const In& in, Expect& out) { out.put(0, in.v3(0)); };
+    // The roundings of the two terms (10), each sqrt(3) * 16384 of rise or shorter.
+    item.bound = {.absolute = 10 * kUlp * 1.7321 * ref::kMaxVolumeGradient};
+    item.condition = {};
+    item.mutants = {{kFile, "largest / SG_MAX_VOLUME_GRADIENT, 1.0", "0.0, 1.0"}};
+    return item;
+}
+
+Case towards() {
+    return {
+        .name = "resolve_towards",
+        .include = kFile,
+        .inputs = 7,
+        .outputs = 3,
+        .glsl = "put(0, sg_resolve_towards(v3(0), v3(3), f(6)));",
+        .draw =
+            [](Random& random, Draw& in) {
+                const glm::dvec3 n = random.direction();
+                const double along =
+                    random.coin() ? random.uniform(-1.0, 1.0) : random.sign() * random.magnitude(1e-4, 1.0);
+                in.put(0, n);
+                in.put(3, tangent_of(random, n) * std::sqrt(1.0 - along * along) + along * n);
+                in.put(6, random.below(4) == 0 ? random.below(2) : random.uniform(-1.0, 2.0));
+            },
+        .reference = [](const In& in,
+                        Expect& out) { out.put(0, ref::resolve_towards(in.v3(0), in.v3(3), in[6])); },
+        // A dot product (3), the lengths of both (4), four sums and five products (9), a normalisation (5);
+        // doubled.
+        .bound = {.absolute = 42 * kUlp},
+        .condition =
+            [](const In& in) {  // what the terms are longer than their sum
+                const glm::dvec3 n = in.v3(0), v = in.v3(3);
+                const double along = glm::dot(n, v), part = in[6];
+                const double rise = std::max(std::abs(along), 1.0 / 128.0);
+                return (rise + std::abs(part * along) + std::abs(part)) /
+                       glm::length((rise - part * along) * n + part * v);
+            },
+        .property = unit_and_outward,
+        .mutants = {{kFile, "max(abs(along), (1.0 - 0.5 * along * along) / SG_MAX_SURFGRAD)", "abs(along)"},
+                    {kFile, "(rise - part * along) * n", "(rise - along) * n"}}};
+}
+
 std::vector<Case> cases() {
     return {
         {.name = "resolve",
@@ -103,6 +196,10 @@ std::vector<Case> cases() {
                       "if (true) return normalize(n - g); vec3 bumped = n - g;"}}},
         vertex_map(),
         vertex_map_any_texel(),
+        volume(),
+        volume_any_input(),
+        volume_along_n(),
+        towards(),
         {.name = "flip",
          .include = kFile,
          .inputs = 4,

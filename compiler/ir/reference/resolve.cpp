@@ -1,6 +1,8 @@
 #include "ir/reference/resolve.hpp"
 
 #include "ir/reference/deriv.hpp"
+#include "ir/reference/from_normal.hpp"
+#include "ir/reference/from_volume.hpp"
 #include "ir/reference/tbn.hpp"
 
 namespace sg::ref {
@@ -15,6 +17,14 @@ dvec3 resolve_vertex_map(dvec3 vertex_normal, dvec4 vertex_tangent, double facin
     const dvec2 d = strength * deriv_from_normal_xyz(m);
     const dvec3 n = mirror_normal(base_normal(vertex_normal), facing);
     return resolve(n, surfgrad_from_tbn(d, basis_vertex(vertex_normal, vertex_tangent)));
+}
+
+dvec3 resolve_volume(dvec3 n, dvec3 gradient) {
+    return resolve(n, surfgrad_from_volume(n, gradient));
+}
+
+dvec3 resolve_towards(dvec3 n, dvec3 wanted, double part) {
+    return resolve(n, part * surfgrad_from_normal(n, wanted));
 }
 
 dvec3 flip(dvec3 resolved, double facing) {

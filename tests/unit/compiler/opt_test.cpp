@@ -52,12 +52,12 @@ const RuleCase kCases[] = {
      "output gradient = %10\n",
      "%7 = facing : Scalar\n%8 = scale_deriv %7 %6 : Deriv\n%9 = surfgrad_from_tbn %8 %2 : "
      "SurfGrad\noutput gradient = %9\n"},
-    {"trivial_mask",
+    {"mask_is_a_factor",
      "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : "
      "SurfGrad\n"
      "output gradient = %10\n",
      "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-    {"trivial_mask",
+    {"mask_is_a_factor",
      "%8 = constant 0 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = mask_surfgrad %9 %8 : "
      "SurfGrad\n"
      "output gradient = %10\n",
@@ -66,15 +66,38 @@ const RuleCase kCases[] = {
      "%8 = constant 1 : Scalar\n%9 = surfgrad_from_tbn %7 %3 : SurfGrad\n%10 = zero_surfgrad : SurfGrad\n"
      "%11 = mix_surfgrad %10 %9 %8 : SurfGrad\noutput gradient = %11\n",
      "%7 = surfgrad_from_tbn %6 %2 : SurfGrad\noutput gradient = %7\n"},
-    {"mask_before_projection",
-     "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = "
-     "noise_gradient %10 %9 : LocalGrad\n"
-     "%12 = gradient_from_world %11 : VolGrad\n%13 = surfgrad_from_volume %1 %12 : SurfGrad\n"
-     "%14 = mask_surfgrad %13 %10 : SurfGrad\n%15 = add_surfgrad %13 %14 : SurfGrad\noutput gradient = "
+    {"mask_is_a_factor",
+     "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = basis_uv %9 %4 : Basis\n%11 = facing : "
+     "Scalar\n"
+     "%12 = surfgrad_from_tbn %7 %10 : SurfGrad\n%13 = mask_surfgrad %12 %11 : SurfGrad\noutput gradient = "
+     "%13\n",
+     "%10 = constant 0 : Scalar\n%11 = maximum %9 %10 : Scalar\n%12 = scale_deriv %11 %5 : Deriv\n%13 = "
+     "surfgrad_from_tbn %12 %8 : SurfGrad\noutput gradient = %13\n"},
+    {"one_factor",
+     "%8 = facing : Scalar\n%9 = time : Scalar\n%10 = scale_deriv %8 %7 : Deriv\n%11 = scale_deriv %9 %10 : "
+     "Deriv\n"
+     "%12 = surfgrad_from_tbn %11 %3 : SurfGrad\noutput gradient = %12\n",
+     "%9 = multiply %8 %7 : Scalar\n%10 = scale_deriv %9 %6 : Deriv\n%11 = surfgrad_from_tbn %10 %2 : "
+     "SurfGrad\n"
+     "output gradient = %11\n"},
+    {"scale_before_turn",
+     "%8 = volume_object : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : Scalar\n"
+     "%12 = noise_gradient %10 %9 : LocalGrad\n%13 = gradient_from_object %12 : VolGrad\n"
+     "%14 = scale_volgrad %11 %13 : VolGrad\n%15 = surfgrad_from_volume %1 %14 : SurfGrad\noutput gradient = "
      "%15\n",
-     "%7 = mask_volgrad %6 %4 : VolGrad\n%8 = add_volgrad %6 %7 : VolGrad\n%9 = surfgrad_from_volume %1 "
-     "%8 : SurfGrad\n"
-     "output gradient = %9\n"},
+     "%6 = multiply %5 %4 : Scalar\n%7 = noise_gradient %6 %3 : LocalGrad\n%8 = gradient_from_object %7 : "
+     "VolGrad\n"
+     "%9 = surfgrad_from_volume %1 %8 : SurfGrad\noutput gradient = %9\n"},
+    {"project_and_resolve",
+     "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n"
+     "%11 = noise_gradient %10 %9 : LocalGrad\n%12 = gradient_from_world %11 : VolGrad\n"
+     "%13 = surfgrad_from_volume %1 %12 : SurfGrad\n%14 = resolve %1 %13 : Normal\noutput normal = %14\n",
+     "%7 = resolve_volume %1 %6 : Normal\noutput normal = %7\n"},
+    {"resolve_towards_normal",
+     "%8 = facing : Scalar\n%9 = flip %1 %8 : Normal\n%10 = direction_of %1 : Direction\n"
+     "%11 = surfgrad_from_normal %9 %10 : SurfGrad\n%12 = mask_surfgrad %11 %8 : SurfGrad\n"
+     "%13 = resolve %9 %12 : Normal\noutput normal = %13\n",
+     "%6 = resolve_towards %3 %1 %5 : Normal\noutput normal = %6\n"},
     {"mix_before_projection",
      "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : "
      "Scalar\n"
