@@ -115,14 +115,14 @@ ref::Decal decal_central(dvec3 local, dvec3 ray, dvec3 row_s, dvec3 row_t, dvec3
     return {local, {st, change(dpdx), change(dpdy)}, grad_s, grad_t};
 }
 
-// Perlin's grad(): u and v are two of the three parts, each with a sign, by the low four bits.
+// Twice Perlin's grad(): u and v are two of the three parts, each with a sign, by the low four bits.
 dvec4 perlin_corner(unsigned hash, dvec3 offset) {
     auto ramp = [h = hash % 16](dvec3 p) {
         const double u = h < 8 ? p.x : p.y;
         const double v = h < 4 ? p.y : (h == 12 || h == 14 ? p.x : p.z);
         return (h % 2 == 0 ? u : -u) + ((h / 2) % 2 == 0 ? v : -v);
     };
-    return {ramp({1, 0, 0}), ramp({0, 1, 0}), ramp({0, 0, 1}), ramp(offset)};
+    return 2.0 * dvec4(ramp({1, 0, 0}), ramp({0, 1, 0}), ramp({0, 0, 1}), ramp(offset));
 }
 
 Rows surface_rows() {

@@ -50,7 +50,7 @@ SgFrame sg_frame_rebuilt(vec3 position, vec3 n, float facing, vec3 view, mat4 re
     float clip_w = (clip_from_relative * vec4(position, 1.0)).w;
     vec3 plane = sg_facing_normal(facing * n, view);
     SgScreenDerivatives d = sg_analytic_derivatives(position, plane, view, relative_from_screen, clip_w);
-    float sign_dp = dot(d.dpdy, cross(n, d.dpdx)) < 0.0 ? -1.0 : 1.0;
+    float sign_dp = dot(n, cross(d.dpdx, d.dpdy)) < 0.0 ? -1.0 : 1.0;
     return SgFrame(position, n, d.dpdx, d.dpdy, sg_reject(d.dpdx, n), sg_reject(d.dpdy, n), sign_dp);
 }
 

@@ -37,8 +37,10 @@ SgDecal sg_decal_from_gradients(vec3 local, vec2 st, vec3 grad_s, vec3 grad_t, v
 // Result: st 0..1 over the box's face. Cost: 45 instructions. Source: section 4.5.
 SgDecal sg_decal_box(mat4 projector, vec3 position, vec3 dpdx, vec3 dpdy) {
     vec3 local = (projector * vec4(position, 1.0)).xyz;
-    return sg_decal_from_gradients(local, 0.5 + 0.5 * local.xy, 0.5 * sg_decal_row(projector, 0),
-                                   0.5 * sg_decal_row(projector, 1), dpdx, dpdy);
+    vec3 row_s = sg_decal_row(projector, 0), row_t = sg_decal_row(projector, 1);
+    vec2 dx = 0.5 * vec2(dot(row_s, dpdx), dot(row_t, dpdx));
+    vec2 dy = 0.5 * vec2(dot(row_s, dpdy), dot(row_t, dpdy));
+    return SgDecal(local, SgUv(0.5 + 0.5 * local.xy, dx, dy), 0.5 * row_s, 0.5 * row_t);
 }
 
 // Central projection of the plane that lies `ahead` before a point, seen along `ray` from it.

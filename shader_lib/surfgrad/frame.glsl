@@ -27,16 +27,17 @@ vec3 sg_reject(vec3 v, vec3 n) { return v - dot(v, n) * n; }
 // Result: sigma_x and sigma_y are perpendicular to n; flip_sign is -1 or +1, also for NaN.
 // Cost: 34 instructions. Source: Listing 9.
 SgFrame sg_frame(vec3 position, vec3 dpdx, vec3 dpdy, vec3 n) {
-    float sign_dp = dot(dpdy, cross(n, dpdx)) < 0.0 ? -1.0 : 1.0;
+    float sign_dp = dot(n, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0;
     return SgFrame(position, n, dpdx, dpdy, sg_reject(dpdx, n), sg_reject(dpdy, n), sign_dp);
 }
 
 // One over the signed area of the tangent plane that a pixel covers.
 //   frame: dpdx and dpdy before displacement. Result: 1 / dot(n, cross(dpdx, dpdy)); 0 where the pixel's footprint has
-//   no area (|area| <= 1e-5 |dpdx||dpdy|). Cost: 25 instructions. Source: Listing 6.
+//   no area (|area| <= 1e-5 times the largest components of both). Cost: 25 instructions. Source: Listing 6.
 float sg_frame_inverse_area(SgFrame frame) {
     float area = dot(frame.normal, cross(frame.dpdx, frame.dpdy));
-    float largest = sqrt(dot(frame.dpdx, frame.dpdx) * dot(frame.dpdy, frame.dpdy));
+    vec3 across = abs(frame.dpdx), down = abs(frame.dpdy);
+    float largest = max(max(across.x, across.y), across.z) * max(max(down.x, down.y), down.z);
     return abs(area) > 1e-5 * largest ? 1.0 / area : 0.0;
 }
 

@@ -95,12 +95,12 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
 // How many pixels away the mesh has the coordinate that an offset leads to.
 //   uv: of the mesh; offset: of st.
 //   Result: (right, down) in pixels; linear in offset; 0 where the coordinate is degenerate
-//   (|det| <= 1e-6 |dx||dy|). Cost: 21 instructions. Source: Listing 12, first half.
+//   (|det| <= 1e-6 times the largest components of dx and dy). Cost: 21 instructions. Source: Listing 12, first half.
 vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
-    bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));
-    vec2 scaled = vec2(uv.dy.y * offset.x - uv.dy.x * offset.y, uv.dx.x * offset.y - uv.dx.y * offset.x);
-    return usable ? scaled / det : vec2(0.0);
+    float largest = max(abs(uv.dx.x), abs(uv.dx.y)) * max(abs(uv.dy.x), abs(uv.dy.y));
+    float scale = abs(det) > 1e-6 * largest ? 1.0 / det : 0.0;
+    return scale * vec2(uv.dy.y * offset.x - uv.dy.x * offset.y, uv.dx.x * offset.y - uv.dx.y * offset.x);
 }
 
 // The corrected position.

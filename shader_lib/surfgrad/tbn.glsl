@@ -27,18 +27,19 @@ SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
 // T and B from the screen derivatives of any texture coordinate.
 //   frame: of the surface; uv: st with derivatives.
 // Result: orthonormal, perpendicular to frame.normal, T towards +s and B towards +t whatever the mirroring; T = B = 0
-// (no bump) where the coordinates are degenerate, |det| <= 1e-6 |dx||dy|, or the step along s is: without length, or
-// within 0.06 degrees of the normal, where rounding would decide its direction.
+// (no bump) where the coordinates are degenerate, |det| <= 1e-6 times the largest components of dx and dy, or the step
+// along s is: without length, or within 0.06 degrees of the normal, where rounding would decide its direction.
 // Cost: 57 instructions. Source: Listing 4.
 SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     // The inverse Jacobian's first column (dx/ds, dy/ds), times det. Projected last: it may be the rest of a large
     // difference, and T has to be perpendicular to n.
     vec3 step_s = uv.dy.y * frame.dpdx - uv.dx.y * frame.dpdy;
-    vec3 along_s = sg_reject(step_s, frame.normal);
+    float lean = dot(step_s, frame.normal);
+    vec3 along_s = step_s - lean * frame.normal;
     float square = dot(along_s, along_s);
-    bool tangential = square > max(1e-36, 1e-6 * dot(step_s, step_s));
-    bool usable = tangential && abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));
+    float largest = max(abs(uv.dx.x), abs(uv.dx.y)) * max(abs(uv.dy.x), abs(uv.dy.y));
+    bool usable = square > 1e-6 * lean * lean + 1e-36 && abs(det) > 1e-6 * largest;
     float scale = usable ? inversesqrt(square) : 0.0;
     vec3 tangent = (det < 0.0 ? -scale : scale) * along_s;
     vec3 bitangent = (det < 0.0 ? -frame.flip_sign : frame.flip_sign) * cross(frame.normal, tangent);

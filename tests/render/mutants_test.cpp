@@ -71,7 +71,7 @@ const std::vector<Mutant> kMutants = {
      "plane_vertex_behind_flip"},
     {"mirror_does_nothing", "surfgrad/frame.glsl", "return facing * n;", "return n;",
      "plane_uv_behind_mirror"},
-    {"step_along_s_is_not_projected", "surfgrad/tbn.glsl", "sg_reject(step_s, frame.normal)", "step_s",
+    {"step_along_s_is_not_projected", "surfgrad/tbn.glsl", "step_s - lean * frame.normal", "step_s",
      "cylinder_coarse_uv"},
     {"vertex_normal_points_inward", "stage/vertex.glsl", "normal_from_object) * normal",
      "normal_from_object) * -normal", "plane_vertex_xyz_up"},

@@ -148,7 +148,7 @@ std::vector<Case> frame_cases() {
          .condition = slant,
          .property = whole_frame,
          .mutants = {{kFile, "sg_facing_normal(facing * n, view)", "sg_facing_normal(n, view)"},
-                     {kFile, "cross(n, d.dpdx)) < 0.0", "cross(plane, d.dpdx)) < 0.0"}}},
+                     {kFile, "dot(n, cross(d.dpdx,", "dot(plane, cross(d.dpdx,"}}},
     };
 }
 

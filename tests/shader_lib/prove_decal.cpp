@@ -103,9 +103,9 @@ Case lookup(const char* shape, Lookup reference, double (*condition)(const In&),
 std::vector<Case> lookups() {
     return {
         lookup("box", ref::decal_box, box_condition,
-               {{kFile, "0.5 * sg_decal_row(projector, 0)", "0.5 * projector[0].xyz"},
-                {kFile, "vec2(dot(grad_s, dpdx), dot(grad_t, dpdx))",
-                 "vec2(dot(grad_s, dpdx), dot(grad_s, dpdy))"}}),
+               {{kFile, "row_s = sg_decal_row(projector, 0)", "row_s = projector[0].xyz"},
+                {kFile, "vec2(dot(row_s, dpdx), dot(row_t, dpdx))",
+                 "vec2(dot(row_s, dpdx), dot(row_s, dpdy))"}}),
         lookup("cone", ref::decal_cone, cone_condition,
                {{kFile, "row_s - slope.x * row_ahead", "row_s"},
                 {kFile, "bool before = ray.z > 1e-6;", "bool before = true;"},
@@ -195,7 +195,8 @@ Case wild_falloffs() {
                 [](Random& random, Draw& in) {
                     in.put(0, random.within(1.0));
                     in.put(static_cast<std::size_t>(random.below(3)), random.wild_number());
-                    if (random.coin()) in.put(static_cast<std::size_t>(random.below(3)), random.wild_number());
+                    if (random.coin())
+                        in.put(static_cast<std::size_t>(random.below(3)), random.wild_number());
                     in.put(3, random.uniform(0.0, 1.0));
                 },
             .property =
@@ -208,7 +209,8 @@ Case wild_falloffs() {
                     if (outside && out[0] != 0.0) return std::string("the box shows what is outside");
                     return std::string();
                 },
-            .mutants = {{kFile, "clamp((1.0 - reach) / max(edge, 1e-6), 0.0, 1.0)", "(1.0 - reach) / max(edge, 1e-6)"},
+            .mutants = {{kFile, "clamp((1.0 - reach) / max(edge, 1e-6), 0.0, 1.0)",
+                         "(1.0 - reach) / max(edge, 1e-6)"},
                         {kFile, "return facing > cos_none ? t : 0.0;",
                          "return (facing - cos_none) / (cos_full - cos_none);"}}};
 }
@@ -267,7 +269,8 @@ Case gradients() {
             // roundings; doubled.
             .bound = {.absolute = 2 * (2 * 4 * 6 + 8 + 5 * 9) * kUlp},
             .mutants = {{kFile, "height * dim * d", "height * d"},
-                        {kFile, "d * inversesqrt(max(vec2(dot(decal.grad_s, decal.grad_s)", "d * inversesqrt(max(vec2(dot(decal.grad_t, decal.grad_t)"}}};
+                        {kFile, "d * inversesqrt(max(vec2(dot(decal.grad_s, decal.grad_s)",
+                         "d * inversesqrt(max(vec2(dot(decal.grad_t, decal.grad_t)"}}};
 }
 
 // Inputs: 0 axis_s, 3 axis_t, 6 d.

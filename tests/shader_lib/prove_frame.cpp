@@ -59,7 +59,7 @@ std::vector<Case> frame_cases() {
          .bound = kProjection,
          .condition = longest_step,
          .property = sigma_is_tangent,
-         .mutants = {{kFile, "float sign_dp = dot(dpdy, cross(n, dpdx)) < 0.0",
+         .mutants = {{kFile, "float sign_dp = dot(n, cross(dpdx, dpdy)) < 0.0",
                       "float sign_dp = dot(dpdx, cross(n, dpdy)) < 0.0"}}},
         {.name = "frame_inverse_area",
          .include = kFile,
@@ -67,16 +67,20 @@ std::vector<Case> frame_cases() {
          .outputs = 1,
          .glsl = "put(0, sg_frame_inverse_area(sg_frame(v3(9), v3(3), v3(6), v3(0))));",
          .draw = [](Random& random, Draw& in) { draw_frame(random, in, 0), in.put(9, random.within(100.0)); },
-         .reference = [](const In& in, Expect& out) {
-             out.put(0, ref::frame_inverse_area(ref::frame(in.v3(9), in.v3(3), in.v3(6), in.v3(0))));
-         },
-         // A cross product (3), a dot product (5) and a division (2), of |dpdx||dpdy|, in an area that is less.
+         .reference =
+             [](const In& in, Expect& out) {
+                 out.put(0, ref::frame_inverse_area(ref::frame(in.v3(9), in.v3(3), in.v3(6), in.v3(0))));
+             },
+         // A cross product (3), a dot product (5) and a division (2), of |dpdx||dpdy|, in an area that is
+         // less.
          .bound = {.absolute = 20 * kUlp},
-         .condition = [](const In& in) {
-             const double steps = glm::length(in.v3(3)) * glm::length(in.v3(6));
-             const double area = ref::frame_inverse_area(ref::frame(in.v3(9), in.v3(3), in.v3(6), in.v3(0)));
-             return steps * area * area;
-         },
+         .condition =
+             [](const In& in) {
+                 const double steps = glm::length(in.v3(3)) * glm::length(in.v3(6));
+                 const double area =
+                     ref::frame_inverse_area(ref::frame(in.v3(9), in.v3(3), in.v3(6), in.v3(0)));
+                 return steps * area * area;
+             },
          .mutants = {{kFile, "1.0 / area", "area"}}},
         {.name = "frame_resolved",
          .include = kFile,

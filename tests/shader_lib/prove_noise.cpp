@@ -50,8 +50,8 @@ Case perlin() {
                         {kFile, "0x89a097u", "0x89a197u"},
                         {kFile, "cell - 256.0 * floor(cell / 256.0)", "abs(cell)"},
                         {kFile, "f * 6.0 - 15.0", "f * 6.0 - 14.0"},
-                        {kFile, "30.0 * slope * slope * across", "-30.0 * slope * slope * across"},
-                        {kFile, "sum.xyz + 30.0 * slope * slope * across", "sum.xyz"},
+                        {kFile, "15.0 * slope * slope * across", "-15.0 * slope * slope * across"},
+                        {kFile, "0.5 * sum.xyz + 15.0 * slope * slope * across", "0.5 * sum.xyz"},
                         {kFile, "dz0 + fade.x * (dz1 - dz0)", "dz0 + fade.y * (dz1 - dz0)"},
                         {kFile, "h00 >> 8u, vec3(f.xy, g.z)", "h00 >> 8u, f"}}};
 }
@@ -135,9 +135,9 @@ Case dented() {
                 return std::string(dead ? "something below zero"
                                         : (steep || !is_finite(out.v3(1)) ? "too steep" : ""));
             },
-        .mutants = {{kFile, "min(k * pow(base, k - 1.0), SG_NOISE_MAX_SLOPE)", "k * pow(base, k - 1.0)"},
-                    {kFile, "k * pow(base, k - 1.0)", "pow(base, k - 1.0)"},
-                    {kFile, "k * pow(base, k - 1.0)", "k * pow(base, k)"},
+        .mutants = {{kFile, "min(k * below, SG_NOISE_MAX_SLOPE)", "k * below"},
+                    {kFile, "min(k * below,", "min(below,"},
+                    {kFile, "pow(base, k - 1.0)", "pow(base, k)"},
                     {kFile, "bool positive = f.value > 0.0;", "bool positive = true;"}}};
 }
 

@@ -247,8 +247,8 @@ Case degenerate() {
         .reference = [](const In&, Expect& out) { out.put(0, glm::dvec4(0.0)); },
         .bound = {},
         .mutants = {{"surfgrad/frame.glsl", "abs(area) > 1e-5 * largest ? 1.0 / area : 0.0", "1.0 / area"},
-                    {kFile, "bool usable = abs(det) > 1e-6 * sqrt(dot(uv.dx, uv.dx) * dot(uv.dy, uv.dy));",
-                     "bool usable = true;"}}};
+                    {kFile, "float scale = abs(det) > 1e-6 * largest ? 1.0 / det : 0.0;",
+                     "float scale = 1.0 / det;"}}};
 }
 
 std::vector<Case> cases() {

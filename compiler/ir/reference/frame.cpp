@@ -1,5 +1,7 @@
 #include "ir/reference/frame.hpp"
 
+#include <algorithm>
+
 namespace sg::ref {
 namespace {
 
@@ -22,7 +24,8 @@ Frame frame(dvec3 position, dvec3 dpdx, dvec3 dpdy, dvec3 n) {
 
 double frame_inverse_area(const Frame& frame) {
     const double area = glm::determinant(dmat3(frame.dpdx, frame.dpdy, frame.normal));
-    const bool spanned = std::abs(area) > 1e-5 * glm::length(frame.dpdx) * glm::length(frame.dpdy);
+    auto largest = [](dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const bool spanned = std::abs(area) > 1e-5 * largest(frame.dpdx) * largest(frame.dpdy);
     return spanned ? 1.0 / area : 0.0;
 }
 

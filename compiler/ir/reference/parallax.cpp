@@ -70,8 +70,7 @@ March parallax_march(const std::function<double(dvec2)>& texel, dvec2 heights, d
 // offset = right dx + down dy.
 dvec2 parallax_pixels(const Uv& uv, dvec2 offset) {
     const glm::dmat2 steps(uv.dx, uv.dy);
-    if (!(std::abs(glm::determinant(steps)) > 1e-6 * glm::length(uv.dx) * glm::length(uv.dy)))
-        return dvec2(0.0);
+    if (is_degenerate(uv)) return dvec2(0.0);
     return glm::inverse(steps) * offset;
 }
 

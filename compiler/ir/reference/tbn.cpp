@@ -20,13 +20,13 @@ Tangents tangents_of(const Frame& frame, const Uv& uv) {
 
 Basis basis_uv(const Frame& frame, const Uv& uv) {
     const double area = std::abs(glm::determinant(glm::dmat2(uv.dx, uv.dy)));
-    if (!(area > 1e-6 * glm::length(uv.dx) * glm::length(uv.dy))) return {};
+    if (is_degenerate(uv)) return {};
     const Tangents raw = tangents_of(frame, uv);
     if (!(glm::length(raw.per_s) * area > 1e-18)) return {};
     // What the step along s loses to the projection must leave a direction.
     const dvec2 column = glm::inverse(glm::dmat2(uv.dx, uv.dy))[0];
     const dvec3 step = frame.dpdx * column.x + frame.dpdy * column.y;
-    if (!(glm::length(raw.per_s) > 1e-3 * glm::length(step))) return {};
+    if (!(glm::length(raw.per_s) > 1e-3 * std::abs(glm::dot(step, frame.normal)))) return {};
     const dvec3 tangent = normalized(raw.per_s);
     // Of the two directions across, the one on the side of growing t.
     const dvec3 across = glm::cross(frame.normal, tangent);

@@ -20,6 +20,12 @@ Uv uv_transform(const Uv& uv, dvec2 scale, double rotation, dvec2 offset) {
     return {linear(uv.st) + offset, linear(uv.dx), linear(uv.dy)};
 }
 
+bool is_degenerate(const Uv& uv) {
+    auto largest = [](dvec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); };
+    const double area = std::abs(glm::determinant(glm::dmat2(uv.dx, uv.dy)));
+    return !(area > 1e-6 * largest(uv.dx) * largest(uv.dy));
+}
+
 double uv_level(const Uv& uv, dvec2 dim) {
     const double texels =
         std::max(std::hypot(dim.x * uv.dx.x, dim.y * uv.dx.y), std::hypot(dim.x * uv.dy.x, dim.y * uv.dy.y));
