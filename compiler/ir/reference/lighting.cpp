@@ -49,8 +49,7 @@ dvec3 ggx(const GgxSurface& surface, dvec3 n, dvec3 view, dvec3 light, dvec3 rad
 }
 
 dvec3 ggx_radiance(const GgxSurface& surface, dvec3 n, const Lights& lights) {
-    const dvec3 albedo = glm::mix(surface.base_color, straight_on(surface), surface.metallic);
-    return surface.emission + surface.occlusion * lights.ambient * albedo +
+    return surface.emission + surface.occlusion * lights.ambient * surface.base_color +
            ggx(surface, n, lights.view, lights.light, lights.radiance);
 }
 
