@@ -62,7 +62,7 @@ vec3 sg_ggx(SgGgxSurface surface, vec3 n, vec3 view, vec3 light, vec3 radiance) 
 
 // Radiance towards the viewer: the light, what comes from all around, and what the surface emits.
 //   n: unit, world axes. Result: at least the emission.
-// Cost: 105 instructions. Source: Walter 2007, Eq 20; ambient light meets the base colour, which a metal
+// Cost: 99 instructions. Source: Walter 2007, Eq 20; ambient light meets the base colour, which a metal
 // reflects and anything else scatters.
 vec3 sg_ggx_radiance(SgGgxSurface surface, vec3 n, SgLights lights) {
     vec3 direct = sg_ggx(surface, n, lights.view, lights.light, lights.radiance);

@@ -34,7 +34,7 @@ SgDecal sg_decal_from_gradients(vec3 local, vec2 st, vec3 grad_s, vec3 grad_t, v
 
 // Parallel projection along the box's z axis (also of capsules and wedges).
 //   projector: projector space from shading space, affine; position, dpdx, dpdy: shading space.
-// Result: st 0..1 over the box's face. Cost: 45 instructions. Source: section 4.5.
+// Result: st 0..1 over the box's face. Cost: 40 instructions. Source: section 4.5.
 SgDecal sg_decal_box(mat4 projector, vec3 position, vec3 dpdx, vec3 dpdy) {
     vec3 local = (projector * vec4(position, 1.0)).xyz;
     vec3 row_s = sg_decal_row(projector, 0), row_t = sg_decal_row(projector, 1);

@@ -33,7 +33,7 @@ SgFrame sg_frame(vec3 position, vec3 dpdx, vec3 dpdy, vec3 n) {
 
 // One over the signed area of the tangent plane that a pixel covers.
 //   frame: dpdx and dpdy before displacement. Result: 1 / dot(n, cross(dpdx, dpdy)); 0 where the pixel's footprint has
-//   no area (|area| <= 1e-5 times the largest components of both). Cost: 25 instructions. Source: Listing 6.
+//   no area (|area| <= 1e-5 times the largest components of both). Cost: 20 instructions. Source: Listing 6.
 float sg_frame_inverse_area(SgFrame frame) {
     float area = dot(frame.normal, cross(frame.dpdx, frame.dpdy));
     vec3 across = abs(frame.dpdx), down = abs(frame.dpdy);

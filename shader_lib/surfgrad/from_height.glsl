@@ -9,7 +9,7 @@
 // The surface gradient of a height from its change over the screen.
 //   frame: dpdx and dpdy before displacement; dh: (dH/dx, dH/dy), world units per pixel.
 // Result: g with dot(g, sigma_x) = dh.x, dot(g, sigma_y) = dh.y and dot(g, n) = 0; linear in dh; 0 where the pixel's
-// footprint has no area (sg_frame_inverse_area). Cost: 43 instructions. Source: Listing 6, Eq 7.
+// footprint has no area (sg_frame_inverse_area). Cost: 38 instructions. Source: Listing 6, Eq 7.
 vec3 sg_surfgrad_from_screen_height(SgFrame frame, vec2 dh) {
     // dh.x cross(sigma_y, n) + dh.y cross(n, sigma_x) as one product: perpendicular to n, however much the sum cancels.
     vec3 level = dh.x * frame.sigma_y - dh.y * frame.sigma_x;
@@ -26,7 +26,7 @@ vec2 sg_screen_height_from_deriv(SgUv uv, vec2 dim, vec2 d) {
 
 // The surface gradient of a height map or normal map as displacement.
 //   frame: dpdx and dpdy before displacement; uv, dim: as above; d: (dH/du, dH/dv), world units per texel.
-// Result: perpendicular to n; linear in d; independent of resolution and distance. Cost: 52 instructions.
+// Result: perpendicular to n; linear in d; independent of resolution and distance. Cost: 47 instructions.
 // Source: Listing 6.
 vec3 sg_surfgrad_from_height(SgFrame frame, SgUv uv, vec2 dim, vec2 d) {
     return sg_surfgrad_from_screen_height(frame, sg_screen_height_from_deriv(uv, dim, d));

@@ -19,7 +19,7 @@ uint sg_perlin_pair(uint word, uint i) { return word >> (8u * (i & 1u)); }
 //   hash: the low four bits choose one of sixteen directions to the edges of a cube, whose x, y and z stand here as two
 //   bits each, the first one's topmost: the sign and the highest bit of the exponent, so that they are the numbers -2, 0
 //   and 2 where they stand.
-// Result: twice the gradient and twice the height. Cost: 16 instructions. Source: Perlin 2002, the twelve gradients.
+// Result: twice the gradient and twice the height. Cost: 13 instructions. Source: Perlin 2002, the twelve gradients.
 vec4 sg_perlin_corner(uint hash, vec3 offset) {
     uvec3 directions = uvec3(0x7777004cu, 0x5f007777u, 0x005f5f13u);
     vec3 gradient = uintBitsToFloat(directions << (2u * hash & 31u) & 0xc0000000u);
@@ -30,7 +30,7 @@ vec4 sg_perlin_corner(uint hash, vec3 offset) {
 //   p: any space, cells of size 1; precise while |p| < 2^23 resolves fractions of a cell.
 // Result: value in -1..1, zero at integer p; gradient is the exact derivative, continuous, |gradient| < 4; both repeat
 // after 256 cells along each axis; negative p is nothing special. Infinite or NaN p gives NaN, which a resolve rejects.
-// Cost: 289 instructions, seven of them table reads. Source: Perlin 2002.
+// Cost: 265 instructions, seven of them table reads. Source: Perlin 2002.
 SgNoise sg_noise_perlin(vec3 p) {
     // A local, for a constant global would be copied anew at every lookup by what compiles GLSL.
     uint words[128] = uint[128](
@@ -84,7 +84,7 @@ float sg_octave_weight(float footprint) { return 1.0 - smoothstep(0.5, 1.0, foot
 //   octaves: 0 to 20.
 // Result: |value| < 2; gradient exact (every octave adds as much slope as the first); octaves smaller than the
 // footprint are gone, and for a footprint of one cell or NaN the sum is 0.
-// Cost: 326 instructions, nearly all of them once per visible octave. Source: Perlin 1985, fractal sum; section 3.6.
+// Cost: 302 instructions, nearly all of them once per visible octave. Source: Perlin 1985, fractal sum; section 3.6.
 SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
     SgNoise sum = SgNoise(0.0, vec3(0.0));
     float frequency = 1.0;
@@ -99,7 +99,7 @@ SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
 }
 
 // Perlin's turbulence: the octaves |n(2^i p)| / 2^i. Arguments as sg_noise_fractal_sum.
-// Cost: 330 instructions, nearly all of them once per visible octave. Source: Perlin 1985, turbulence; section 4.6.
+// Cost: 306 instructions, nearly all of them once per visible octave. Source: Perlin 1985, turbulence; section 4.6.
 // Result: 0 <= value < 2; the gradient is exact but on the zeros of an octave, where the value has a corner and that
 // octave adds nothing. One evaluation: differences would take four and drown in rounding at fine steps.
 SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {
@@ -119,7 +119,7 @@ SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {
 //   f: clamped at 0 from below; k: >= 0 (1 changes nothing but the clamp).
 // Result: value >= 0; where f <= 0 all is 0; the slope k f^(k-1), infinite at 0 for k < 1, stays within
 // SG_NOISE_MAX_SLOPE.
-// Cost: 20 instructions, one power among them. Source: Mikkelsen 2020, section 4.6 (Upstill's dented shader).
+// Cost: 17 instructions, one power among them. Source: Mikkelsen 2020, section 4.6 (Upstill's dented shader).
 SgNoise sg_noise_power(SgNoise f, float k) {
     bool positive = f.value > 0.0;
     float base = max(f.value, 1e-30);

@@ -22,7 +22,7 @@ struct SgParallax {
 //   frame: of the mesh; uv: its coordinate; direction: shading space, any length (towards the viewer: unit).
 // Result: xy: change of st along the direction's part in the plane of (dpdx, dpdy); z: its part along n. Linear in
 // direction; true to sheared and stretched coordinates. Edge-on, where dpdx and dpdy span no area, xy = 0.
-// Cost: 50 instructions. Source: Listing 11.
+// Cost: 45 instructions. Source: Listing 11.
 vec3 sg_parallax_direction(SgFrame frame, SgUv uv, vec3 direction) {
     vec3 level = cross(frame.normal, direction);
     vec2 screen = sg_frame_inverse_area(frame) * vec2(dot(frame.dpdy, level), -dot(frame.dpdx, level));
@@ -95,7 +95,7 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
 // How many pixels away the mesh has the coordinate that an offset leads to.
 //   uv: of the mesh; offset: of st.
 //   Result: (right, down) in pixels; linear in offset; 0 where the coordinate is degenerate
-//   (|det| <= 1e-6 times the largest components of dx and dy). Cost: 21 instructions. Source: Listing 12, first half.
+//   (|det| <= 1e-6 times the largest components of dx and dy). Cost: 17 instructions. Source: Listing 12, first half.
 vec2 sg_parallax_pixels(SgUv uv, vec2 offset) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     float largest = max(abs(uv.dx.x), abs(uv.dx.y)) * max(abs(uv.dy.x), abs(uv.dy.y));
@@ -129,7 +129,7 @@ SgUv sg_parallax_uv(SgUv uv, vec2 offset) { return SgUv(uv.st + offset, uv.dx, u
 // The coordinate for detail on the moved surface: any uv set, with the level of detail that the surface has there.
 //   frame, uv: of the mesh, uv of the wanted set; pixels: of sg_parallax_pixels (of the set that was marched);
 //   dpdx, dpdy: of the moved surface, analytic, its steps measured along the mesh.
-// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: 73 instructions.
+// Result: st by the same way over the mesh, dx and dy by the chain rule. Cost: 68 instructions.
 // Source: sections 3.7 and 4.6.
 SgUv sg_parallax_detail_uv(SgFrame frame, SgUv uv, vec2 pixels, vec3 dpdx, vec3 dpdy) {
     vec2 st = uv.st + pixels.x * uv.dx + pixels.y * uv.dy;

@@ -29,7 +29,7 @@ SgBasis sg_basis_vertex(vec3 vertex_normal, vec4 vertex_tangent) {
 // Result: orthonormal, perpendicular to frame.normal, T towards +s and B towards +t whatever the mirroring; T = B = 0
 // (no bump) where the coordinates are degenerate, |det| <= 1e-6 times the largest components of dx and dy, or the step
 // along s is: without length, or within 0.06 degrees of the normal, where rounding would decide its direction.
-// Cost: 57 instructions. Source: Listing 4.
+// Cost: 51 instructions. Source: Listing 4.
 SgBasis sg_basis_uv(SgFrame frame, SgUv uv) {
     float det = uv.dx.x * uv.dy.y - uv.dx.y * uv.dy.x;
     // The inverse Jacobian's first column (dx/ds, dy/ds), times det. Projected last: it may be the rest of a large
