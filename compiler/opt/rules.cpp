@@ -351,11 +351,9 @@ ValueId add_zero_or_multiply_by_one(Rewriter& rewriter, const Value& value) {
     return {};
 }
 
-}  // namespace
-
-std::span<const Rule> all_rules() {
+std::vector<Rule> rules_of_gradients() {
     using enum Op;
-    static const Rule kRules[] = {
+    return {
         {"scale_by_one", "1 x = x", {scale_deriv, scale_surfgrad, scale_volgrad}, scale_by_one},
         {"one_factor",
          "s (t x) = (s t) x: numbers are multiplied before vectors are",
@@ -374,32 +372,6 @@ std::span<const Rule> all_rules() {
          {scale_surfgrad},
          scale_before_projection},
         {"add_nothing", "g + 0 = g", {add_surfgrad}, add_nothing},
-        {"resolve_nothing", "normalize(n - 0) = n, for n is unit", {resolve}, resolve_nothing},
-        {"one_vertex_map",
-         "normalize(n - g) of one map on vertex tangents is normalize(m.x T + m.y B + m.z N): lengths need "
-         "not be "
-         "divided out first",
-         {resolve},
-         one_vertex_map},
-        {"project_and_resolve",
-         "n - (v - dot(n, v) n) = (1 + dot(n, v)) n - v: what a volume bump is projected for is taken away "
-         "again",
-         {resolve},
-         project_and_resolve},
-        {"resolve_towards_normal",
-         "n minus a part t of the gradient that leads to v is along (rise - t dot(n, v)) n + t v: no vector "
-         "is "
-         "divided",
-         {resolve},
-         resolve_towards_normal},
-        {"positive_tiling_shares_basis",
-         "T and B are unit vectors along +s and +t: positive tiling keeps both",
-         {basis_uv},
-         positive_tiling_shares_basis},
-        {"positive_tiling_turns_nothing",
-         "only negative factors turn +s or +t",
-         {basis_mirror},
-         positive_tiling_turns_nothing},
         {"one_projection",
          "projection is linear: project(a) + project(b) = project(a + b), for one basis, or one normal (the "
          "paper's footnote on decals)",
@@ -414,6 +386,42 @@ std::span<const Rule> all_rules() {
          "projection is linear: a mix of two volume bumps is projected once",
          {mix_surfgrad},
          mix_before_projection},
+    };
+}
+
+std::vector<Rule> rules_of_normals_and_bases() {
+    using enum Op;
+    return {
+        {"resolve_nothing", "normalize(n - 0) = n, for n is unit", {resolve}, resolve_nothing},
+        {"one_vertex_map",
+         "normalize(n - g) of one map on vertex tangents is normalize(m.x T + m.y B + m.z N): lengths need "
+         "not be divided out first",
+         {resolve},
+         one_vertex_map},
+        {"project_and_resolve",
+         "n - (v - dot(n, v) n) = (1 + dot(n, v)) n - v: what a volume bump is projected for is taken away "
+         "again",
+         {resolve},
+         project_and_resolve},
+        {"resolve_towards_normal",
+         "n minus a part t of the gradient that leads to v is along (rise - t dot(n, v)) n + t v: no vector "
+         "is divided",
+         {resolve},
+         resolve_towards_normal},
+        {"positive_tiling_shares_basis",
+         "T and B are unit vectors along +s and +t: positive tiling keeps both",
+         {basis_uv},
+         positive_tiling_shares_basis},
+        {"positive_tiling_turns_nothing",
+         "only negative factors turn +s or +t",
+         {basis_mirror},
+         positive_tiling_turns_nothing},
+    };
+}
+
+std::vector<Rule> rules_of_numbers() {
+    using enum Op;
+    return {
         {"channel_by_its_name",
          "a channel of a texel in another order is a channel of the texel",
          {channel},
@@ -433,6 +441,17 @@ std::span<const Rule> all_rules() {
          nullptr,
          parameters_on_host},
     };
+}
+
+}  // namespace
+
+std::span<const Rule> all_rules() {
+    static const std::vector<Rule> kRules = [] {
+        std::vector<Rule> all = rules_of_gradients();
+        for (const std::vector<Rule>& more : {rules_of_normals_and_bases(), rules_of_numbers()})
+            all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }();
     return kRules;
 }
 

@@ -39,6 +39,7 @@ public:
             if (looks ? !ir::takes_screen_derivatives(op.op) : !ir::looks_along_ray(op.op)) add(op);
         }
         resolve_one_map();
+        resolve_one_noise();
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
             if (values.empty()) continue;
@@ -83,6 +84,32 @@ private:
         depth_.push_back(0);
         by_type_[Type::Normal].push_back({static_cast<std::uint32_t>(module.values.size())});
         out_.module.values.push_back(std::move(resolved));
+    }
+
+    // One noise with a strength, likewise.
+    void resolve_one_noise() {
+        const ir::Module& module = out_.module;
+        ValueId n, g;
+        for (std::uint32_t i = 0; i < module.values.size(); ++i) {
+            const ir::Value& value = module.values[i];
+            if (value.op == Op::base_normal) n = {i};
+            const bool turned = value.op == Op::gradient_from_object || value.op == Op::gradient_from_world;
+            if (turned && module.at(value.operands[0]).op == Op::noise_gradient) g = {i};
+        }
+        const std::vector<ValueId>& strengths = by_type_[Type::Scalar];
+        if (!n.valid() || !g.valid() || strengths.empty()) return;
+        auto put = [&](Op op, Type type, std::vector<ValueId> operands) {
+            const ValueId id{static_cast<std::uint32_t>(out_.module.values.size())};
+            ir::Value value{.op = op, .type = type};
+            value.operands = std::move(operands);
+            out_.module.values.push_back(std::move(value));
+            depth_.push_back(0);
+            by_type_[type].push_back(id);
+            return id;
+        };
+        const ValueId scaled = put(Op::scale_volgrad, Type::VolGrad, {strengths.back(), g});
+        const ValueId projected = put(Op::surfgrad_from_volume, Type::SurfGrad, {n, scaled});
+        put(Op::resolve, Type::Normal, {n, projected});
     }
 
     // Coordinates and bases, which many rules look at, more often than the rest.

@@ -21,7 +21,6 @@
 //   uv1                texture coordinate 1, t downward
 //   uv1_dx             its change per pixel to the right
 //   uv1_dy             its change per pixel downward
-#include "surfgrad/combine.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
@@ -119,6 +118,7 @@ struct SgMaterialParameters_bench_b {
     float p_decal_strength;
     float p_roughness;
     float p_metallic;
+    float d_dents_multiply;
     vec3 d_sign_axis_s;
     vec3 d_sign_axis_t;
 };
@@ -136,7 +136,8 @@ SgMaterialResult sg_material_bench_b(SgMaterialInputs sg_inputs, SgMaterialParam
 
     // detail: normal_map
     vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
+    vec2 m_detail_scale_deriv = sg_sample(t_moss, s_0, m_uv0).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
+    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
 
     SgVolume m_world = SgVolume(sg_inputs.world_position, sg_inputs.world_position_dx, sg_inputs.world_position_dy);
 
@@ -151,9 +152,7 @@ SgMaterialResult sg_material_bench_b(SgMaterialInputs sg_inputs, SgMaterialParam
 
     // dents: noise
     SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 4), sg_material.p_power);
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_material.p_frequency * m_dents_noise.gradient);
-
-    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + sg_material.p_dent_strength * m_dents_gradient_from_object;
+    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_material.d_dents_multiply * m_dents_noise.gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
@@ -162,8 +161,8 @@ SgMaterialResult sg_material_bench_b(SgMaterialInputs sg_inputs, SgMaterialParam
     vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
     float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
 
-    vec3 m_add_volgrad_2 = m_add_volgrad + sg_combine_mask(sg_material.p_decal_strength * m_sign_gradient, m_sign_coverage);
-    vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad_2);
+    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + m_dents_gradient_from_object + m_sign_coverage * sg_material.p_decal_strength * m_sign_gradient;
+    vec3 m_normal = sg_resolve(m_base_normal, m_weave + m_detail + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad));
     vec4 m_texel = sg_sample(t_stone, s_0, m_uv0);
-    return SgMaterialResult(sg_resolve(m_base_normal, m_add_surfgrad), mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), sg_material.p_opacity * m_texel.w, 0.0);
+    return SgMaterialResult(m_normal, mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0), sg_material.p_opacity * m_texel.w, 0.0);
 }

@@ -10,10 +10,8 @@
 //   uv1                texture coordinate 1, t downward
 //   uv1_dx             its change per pixel to the right
 //   uv1_dy             its change per pixel downward
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_normal.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/sample.glsl"
@@ -105,16 +103,7 @@ SgMaterialResult sg_material_earlier_normal(SgMaterialInputs sg_inputs, texture2
     vec2 m_layer_2_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
     vec3 m_layer_2 = sg_surfgrad_from_tbn(m_layer_2_deriv, sg_basis_uv(m_frame_2, m_uv1));
 
-    vec3 m_normal_2 = sg_resolve(m_normal, m_layer_2);
-
-    // layer 3: earlier_normal
-    vec3 m_layer_3 = sg_surfgrad_from_normal(m_normal_2, m_normal);
-
     float m_water = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
-    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_combine_mask(m_layer_3, m_water));
-
-    // layer 4: earlier_normal
-    vec3 m_layer_4 = sg_surfgrad_from_normal(m_normal_3, m_base_normal);
-
-    return SgMaterialResult(sg_resolve(m_normal_3, sg_combine_mask(m_layer_4, sg_smoothstep(0.6, 0.9, m_water))), mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0, mix(0.8, 0.4, m_water), 1.0, vec3(0.0), 1.0, 0.0);
+    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_towards(sg_resolve(m_normal, m_layer_2), m_normal, m_water), m_base_normal, max(sg_smoothstep(0.6, 0.9, m_water), 0.0));
+    return SgMaterialResult(m_normal_2, mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0, mix(0.8, 0.4, m_water), 1.0, vec3(0.0), 1.0, 0.0);
 }

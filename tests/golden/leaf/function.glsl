@@ -14,7 +14,6 @@
 //   uv0                texture coordinate 0, t downward
 //   uv0_dx             its change per pixel to the right
 //   uv0_dy             its change per pixel downward
-#include "surfgrad/combine.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -106,18 +105,15 @@ SgMaterialResult sg_material_leaf(SgMaterialInputs sg_inputs, SgMaterialParamete
 
     // veins: height_map
     SgUv m_veins_uv = sg_uv_scale(m_uv0, vec2(3.0, 2.0));
-    vec3 m_veins_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
-    vec3 m_veins = 0.12 * m_veins_surfgrad_from_height;
+    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), 0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
 
     SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
-
-    // blisters: noise
-    vec3 m_blisters_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 7.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient);
-
     float m_vein = sg_sample(t_veins, s_0, m_veins_uv).x;
 
     // blisters: noise
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_vein));
+    vec3 m_blisters_noise_gradient = max(1.0 - m_vein, 0.0) * 0.14 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient;
+    vec3 m_blisters_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_blisters_noise_gradient);
+    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, m_blisters_gradient_from_object);
 
     float m_mix = mix(0.35, 0.7, sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value));
     return SgMaterialResult(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_inputs.facing), vec3(0.16, 0.5, 0.12) * sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb, 0.0, m_mix, m_vein * 0.4 + 0.6, sg_material.p_glow, 1.0 - sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x * sg_material.p_eaten, 0.58);

@@ -120,8 +120,8 @@ SgMaterialResult sg_material_mossy_rock(SgMaterialInputs sg_inputs, SgMaterialPa
     vec3 m_gravel = sg_surfgrad_from_volume(m_normal, sg_material.p_detail * m_gravel_gradient_from_object);
 
     // fuzz: noise
-    vec3 m_fuzz_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 40.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
-    vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, 0.004 * m_fuzz_gradient_from_object);
+    vec3 m_fuzz_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 0.16 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
+    vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, m_fuzz_gradient_from_object);
 
     SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, sg_base_normal(sg_inputs.normal));
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);

@@ -54,8 +54,8 @@ void main() {
     vec3 m_gravel = sg_surfgrad_from_volume(m_normal, sg_material.p_detail * sg_stage_gradient_from_object(m_gravel_gradient));
 
     // fuzz: noise
-    vec3 m_fuzz_gradient_from_object = sg_stage_gradient_from_object(40.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
-    vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, 0.004 * m_fuzz_gradient_from_object);
+    vec3 m_fuzz_gradient_from_object = sg_stage_gradient_from_object(0.16 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
+    vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, m_fuzz_gradient_from_object);
 
     SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);

@@ -11,7 +11,6 @@
 //   object_y           the object's y axis in world axes: a unit of object space, world units
 //   object_z           the object's z axis in world axes: a unit of object space, world units
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/volume.glsl"
@@ -87,21 +86,20 @@ struct SgMaterialResult {
 
 struct SgMaterialParameters_noise {
     float p_dents;
+    float d_dents_multiply;
 };
 
 SgMaterialResult sg_material_noise(SgMaterialInputs sg_inputs, SgMaterialParameters_noise sg_material) {
     SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
 
     // forms: noise
-    vec3 m_forms_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 2.5 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
-
-    vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
+    vec3 m_forms_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
 
     // dents: noise
-    vec3 m_dents_gradient = 3.0 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_dents_gradient);
+    vec3 m_dents_noise_gradient = sg_material.d_dents_multiply * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
+    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_dents_noise_gradient);
 
     SgVolume m_world = SgVolume(sg_inputs.world_position, sg_inputs.world_position_dx, sg_inputs.world_position_dy);
-    vec3 m_add_volgrad = 0.05 * m_forms_gradient_from_object + sg_material.p_dents * m_dents_gradient_from_object + 0.0025 * 45.0 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
-    return SgMaterialResult(sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_add_volgrad)), vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0), 1.0, 0.0);
+    vec3 m_add_volgrad = m_forms_gradient_from_object + m_dents_gradient_from_object + 0.1125 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
+    return SgMaterialResult(sg_resolve_volume(sg_base_normal(sg_inputs.normal), m_add_volgrad), vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0), 1.0, 0.0);
 }

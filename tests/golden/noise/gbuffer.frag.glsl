@@ -5,13 +5,13 @@
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/volume.glsl"
 
 layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_dents;
+    float d_dents_multiply;
 } sg_material;
 
 layout(location = 1) in vec3 sg_in_normal;
@@ -26,21 +26,17 @@ void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // forms: noise
-    vec3 m_forms_gradient_from_object = sg_stage_gradient_from_object(2.5 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
-
-    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    vec3 m_forms_gradient_from_object = sg_stage_gradient_from_object(0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
 
     // dents: noise
-    vec3 m_dents_gradient = 3.0 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
-
-    vec3 m_add_volgrad = 0.05 * m_forms_gradient_from_object + sg_material.p_dents * sg_stage_gradient_from_object(m_dents_gradient);
+    vec3 m_dents_noise_gradient = sg_material.d_dents_multiply * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
 
     // grain: noise
-    vec3 m_grain_gradient = 45.0 * sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
+    vec3 m_grain_noise_gradient = 0.1125 * sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
 
-    vec3 m_normal = sg_resolve(m_base_normal, sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + 0.0025 * m_grain_gradient));
+    vec3 m_add_volgrad = m_forms_gradient_from_object + sg_stage_gradient_from_object(m_dents_noise_gradient) + m_grain_noise_gradient;
     sg_out_base_color = vec4(vec3(0.62, 0.57, 0.48), 1.0);
-    sg_out_normal = vec4(m_normal, 0.9);
+    sg_out_normal = vec4(sg_resolve_volume(sg_base_normal(sg_in_normal), m_add_volgrad), 0.9);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

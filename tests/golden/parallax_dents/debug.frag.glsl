@@ -10,7 +10,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -47,8 +46,7 @@ void main() {
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
-    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
     SgFrame m_frame_3 = sg_stage_frame_rebuilt(m_parallax, m_normal, 1.0);
@@ -63,14 +61,14 @@ void main() {
     vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
     vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    vec3 m_add_volgrad = -0.1 * sg_stage_gradient_from_object(4.0 * m_dents_noise.gradient) + 0.25 * m_grain_gradient;
+    vec3 m_normal_2 = sg_resolve_volume(m_normal, sg_stage_gradient_from_object(-0.4 * m_dents_noise.gradient) + 0.25 * m_grain_gradient);
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, m_normal_2);  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, m_normal_derivatives.dndx);  // base-normal-dx

@@ -11,7 +11,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -48,8 +47,7 @@ void main() {
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
-    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
     SgFrame m_frame_3 = sg_stage_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0);
@@ -64,8 +62,8 @@ void main() {
     vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
     vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    vec3 m_add_volgrad = -0.1 * sg_stage_gradient_from_object(4.0 * m_dents_noise.gradient) + 0.25 * m_grain_gradient;
+    vec3 m_normal_2 = sg_resolve_volume(m_normal, sg_stage_gradient_from_object(-0.4 * m_dents_noise.gradient) + 0.25 * m_grain_gradient);
     SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad)), sg_stage_lights(sg_in_position));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal_2, sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

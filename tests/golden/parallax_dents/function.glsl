@@ -22,7 +22,6 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -118,16 +117,15 @@ SgMaterialResult sg_material_parallax_dents(SgMaterialInputs sg_inputs, texture2
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
-    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
     SgFrame m_frame_3 = sg_function_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0, sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, sg_inputs.clip_w);
     SgVolume m_object = sg_function_object_volume(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_inputs.object_origin, m_frame_3);
 
     // dents: noise
-    vec3 m_dents_gradient = 4.0 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 4.0), 4), 2.5).gradient;
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_dents_gradient);
+    vec3 m_dents_noise_gradient = -0.4 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 4.0), 4), 2.5).gradient;
+    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_dents_noise_gradient);
 
     // grain: triplanar
     SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_function_world_volume(sg_inputs.camera_position, m_frame_3), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
@@ -136,6 +134,5 @@ SgMaterialResult sg_material_parallax_dents(SgMaterialInputs sg_inputs, texture2
     vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
     vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    vec3 m_surfgrad_from_volume = sg_surfgrad_from_volume(m_normal, -0.1 * m_dents_gradient_from_object + 0.25 * m_grain_gradient);
-    return SgMaterialResult(sg_resolve(m_normal, m_surfgrad_from_volume), sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve_volume(m_normal, m_dents_gradient_from_object + 0.25 * m_grain_gradient), sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0), 1.0, 0.0);
 }

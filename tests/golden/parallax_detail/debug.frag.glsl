@@ -46,8 +46,7 @@ void main() {
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
-    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
     SgFrame m_frame_3 = sg_stage_frame_rebuilt(m_parallax, m_normal, 1.0);

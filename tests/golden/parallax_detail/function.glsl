@@ -113,8 +113,7 @@ SgMaterialResult sg_material_parallax_detail(SgMaterialInputs sg_inputs, texture
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
-    vec3 m_stones = 0.08 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
     SgFrame m_frame_3 = sg_function_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0, sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, sg_inputs.clip_w);

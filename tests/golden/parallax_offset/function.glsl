@@ -104,8 +104,7 @@ SgMaterialResult sg_material_parallax_offset(SgMaterialInputs sg_inputs, texture
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_parallax_parallax_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
-    vec3 m_stones = 0.05 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_parallax_parallax_uv, sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
 
     return SgMaterialResult(sg_resolve(m_parallax_moved_normal, m_stones), sg_sample(t_stone, s_0, m_parallax_parallax_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0), 1.0, 0.0);
 }

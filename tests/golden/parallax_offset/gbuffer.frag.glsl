@@ -40,8 +40,7 @@ void main() {
     SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
 
     // stones: height_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame_2, m_parallax_parallax_uv, sg_texture_size(t_height, s_0), sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
-    vec3 m_stones = 0.05 * m_stones_surfgrad_from_height;
+    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_parallax_parallax_uv, sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
 
     sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_parallax_parallax_uv).rgb, 1.0);
     sg_out_normal = vec4(sg_resolve(m_parallax_moved_normal, m_stones), 0.8);

@@ -4,7 +4,6 @@
 
 #include "stage/debug.glsl"
 #include "stage/fragment.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -32,8 +31,8 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
 
     // rain: planar
-    vec3 m_rain_mask_volgrad = sg_combine_mask(m_rain_gradient, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_mask_volgrad);
+    vec3 m_rain_scale_volgrad = max(sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))), 0.0) * m_rain_gradient;
+    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_scale_volgrad);
 
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
@@ -42,7 +41,7 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_rain);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_rain));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rain_scale_volgrad));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_world.p);  // world-position
     sg_shown = sg_stage_select(sg_shown, 7.0, m_world.dx);  // world-position-dx
     sg_shown = sg_stage_select(sg_shown, 8.0, m_world.dy);  // world-position-dy

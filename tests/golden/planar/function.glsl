@@ -4,10 +4,8 @@
 //   world_position     absolute world space, world units
 //   world_position_dx  its change per pixel to the right
 //   world_position_dy  its change per pixel downward
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/sample.glsl"
@@ -92,9 +90,5 @@ SgMaterialResult sg_material_planar(SgMaterialInputs sg_inputs, texture2D t_pebb
 
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
     float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
-
-    // rain: planar
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(m_rain_gradient, m_top));
-
-    return SgMaterialResult(sg_resolve(m_base_normal, m_rain), mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve_volume(m_base_normal, max(m_top, 0.0) * m_rain_gradient), mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -3,10 +3,8 @@
 // rain on stone: fragment shader of the entry point 'gbuffer', made by surfgradc.
 
 #include "stage/fragment.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/triplanar.glsl"
@@ -31,12 +29,8 @@ void main() {
 
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
-
-    // rain: planar
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(m_rain_gradient, m_top));
-
     sg_out_base_color = vec4(mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 1.0);
-    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rain), mix(0.8, 0.35, m_top));
+    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, max(m_top, 0.0) * m_rain_gradient), mix(0.8, 0.35, m_top));
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

@@ -3,10 +3,8 @@
 // rain on stone: fragment shader of the entry point 'normal', made by surfgradc.
 
 #include "stage/fragment.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/triplanar.glsl"
@@ -29,8 +27,7 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
 
     // rain: planar
-    vec3 m_rain_mask_volgrad = sg_combine_mask(m_rain_gradient, sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))));
-    vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_mask_volgrad);
+    vec3 m_rain_scale_volgrad = max(sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))), 0.0) * m_rain_gradient;
 
-    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rain), 1.0);
+    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, m_rain_scale_volgrad), 1.0);
 }

@@ -6,7 +6,6 @@
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -21,7 +20,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
-    float d_subtract;
+    float d_cracks_multiply;
     float d_mix;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
@@ -45,8 +44,8 @@ void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // cracks: noise
-    vec3 m_cracks_gradient_from_object = sg_stage_gradient_from_object(6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, sg_material.d_subtract));
+    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient;
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_cracks_noise_gradient));
 
     vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
     SgGgxSurface sg_surface = SgGgxSurface(mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0));

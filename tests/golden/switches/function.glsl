@@ -13,7 +13,6 @@
 //   uv0                texture coordinate 0, t downward
 //   uv0_dx             its change per pixel to the right
 //   uv0_dy             its change per pixel downward
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -98,7 +97,7 @@ struct SgMaterialParameters_switches {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
-    float d_subtract;
+    float d_cracks_multiply;
     float d_mix;
 };
 
@@ -114,8 +113,9 @@ SgMaterialResult sg_material_switches(SgMaterialInputs sg_inputs, SgMaterialPara
     SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
 
     // cracks: noise
-    vec3 m_cracks_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), 6.0 * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(-0.03 * m_cracks_gradient_from_object, sg_material.d_subtract));
+    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient;
+    vec3 m_cracks_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_cracks_noise_gradient);
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, m_cracks_gradient_from_object);
 
     vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
     return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks), mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0), 1.0, 0.0);

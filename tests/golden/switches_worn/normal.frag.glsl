@@ -4,7 +4,6 @@
 
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -18,7 +17,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_repeats;
     float p_depth;
     vec3 p_paint;
-    float d_subtract;
+    float d_cracks_multiply;
     float d_mix;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
@@ -40,9 +39,8 @@ void main() {
     vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
 
     // cracks: noise
-    vec3 m_cracks_gradient = 6.0 * sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient;
-    vec3 m_cracks_mask_volgrad = sg_combine_mask(-0.03 * sg_stage_gradient_from_object(m_cracks_gradient), sg_material.d_subtract);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, m_cracks_mask_volgrad);
+    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient;
+    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_cracks_noise_gradient));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_bumps + m_cracks), 1.0);
 }

@@ -33,7 +33,8 @@ void main() {
     vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
     vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
     vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient));
+    vec3 m_rock_gradient_from_object = sg_stage_gradient_from_object(m_rock_gradient);
+    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, m_rock_gradient_from_object);
 
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
@@ -42,7 +43,7 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_rock);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_rock));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rock_gradient_from_object));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_object.p);  // object-position
     sg_shown = sg_stage_select(sg_shown, 7.0, m_object.dx);  // object-position-dx
     sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dy);  // object-position-dy

@@ -8,7 +8,6 @@
 #include "stage/object.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/triplanar.glsl"
 #include "surfgrad/volume.glsl"
@@ -33,9 +32,8 @@ void main() {
     vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
     vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
     vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient));
 
     SgGgxSurface sg_surface = SgGgxSurface(vec3(0.42, 0.4, 0.37), 0.0, 0.8, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_rock), sg_stage_lights(sg_in_position));
+    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient)), sg_stage_lights(sg_in_position));
     sg_out_color = vec4(sg_radiance, 1.0);
 }

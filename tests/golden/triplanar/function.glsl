@@ -10,7 +10,6 @@
 #include "function/spaces.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/sample.glsl"
 #include "surfgrad/triplanar.glsl"
@@ -101,7 +100,6 @@ SgMaterialResult sg_material_triplanar(SgMaterialInputs sg_inputs, SgMaterialPar
     vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
     vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_rock_object_normal, sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
     vec3 m_rock_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_rock_gradient);
-    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, m_rock_gradient_from_object);
 
-    return SgMaterialResult(sg_resolve(m_base_normal, m_rock), vec3(0.42, 0.4, 0.37), 0.0, 0.8, 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve_volume(m_base_normal, m_rock_gradient_from_object), vec3(0.42, 0.4, 0.37), 0.0, 0.8, 1.0, vec3(0.0), 1.0, 0.0);
 }

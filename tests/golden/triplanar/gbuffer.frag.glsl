@@ -6,7 +6,6 @@
 #include "stage/object.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/triplanar.glsl"
 #include "surfgrad/volume.glsl"
@@ -33,10 +32,9 @@ void main() {
     vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
     vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
     vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient));
 
     sg_out_base_color = vec4(vec3(0.42, 0.4, 0.37), 1.0);
-    sg_out_normal = vec4(sg_resolve(m_base_normal, m_rock), 0.8);
+    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient)), 0.8);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }
