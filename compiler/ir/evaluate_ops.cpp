@@ -276,7 +276,8 @@ double level_of(const Call& c, const Uv& uv) {
 
 dvec2 steps(const Call& c, dvec3 view, const Uv& uv, double per_step, dvec2 decode, double count) {
     dvec2 offset(0.0);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
+    const int steps = static_cast<int>(std::clamp(count, 0.0, 64.0));
+    for (int i = 0; i < steps; ++i) {
         const double texel = c.texture().at({uv.st + offset, uv.dx, uv.dy}).x;
         offset += per_step * (decode.x * texel + decode.y) * dvec2(view);
     }
@@ -286,7 +287,7 @@ dvec2 steps(const Call& c, dvec3 view, const Uv& uv, double per_step, dvec2 deco
 ref::March occlusion(const Call& c, const Uv& uv, dvec3 view, dvec2 heights, double count) {
     const double level = level_of(c, uv);
     return ref::parallax_march([&](dvec2 st) { return c.texture().at_level(st, level).x; }, heights, uv.st,
-                               view, std::clamp(static_cast<int>(count), 1, 256));
+                               view, static_cast<int>(std::clamp(count, 1.0, 256.0)));
 }
 
 // Parallax

@@ -39,7 +39,7 @@ public:
             if (looks ? !ir::takes_screen_derivatives(op.op) : !ir::looks_along_ray(op.op)) add(op);
         }
         resolve_one_map();
-        resolve_one_noise();
+        resolve_seldom_things();
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
             if (values.empty()) continue;
@@ -86,30 +86,35 @@ private:
         out_.module.values.push_back(std::move(resolved));
     }
 
-    // One noise with a strength, likewise.
-    void resolve_one_noise() {
-        const ir::Module& module = out_.module;
-        ValueId n, g;
-        for (std::uint32_t i = 0; i < module.values.size(); ++i) {
-            const ir::Value& value = module.values[i];
-            if (value.op == Op::base_normal) n = {i};
-            const bool turned = value.op == Op::gradient_from_object || value.op == Op::gradient_from_world;
-            if (turned && module.at(value.operands[0]).op == Op::noise_gradient) g = {i};
+    ValueId put(Op op, std::vector<ValueId> operands) {
+        const ValueId id{static_cast<std::uint32_t>(out_.module.values.size())};
+        const Type type = ir::info(op).result;
+        ir::Value value{.op = op, .type = type};
+        value.operands = std::move(operands);
+        out_.module.values.push_back(std::move(value));
+        depth_.push_back(0);
+        by_type_[type].push_back(id);
+        return id;
+    }
+
+    // In one of 32 modules each, for they take the place of other outputs: a noise with a strength, and a
+    // part of the way to another normal.
+    void resolve_seldom_things() {
+        const std::vector<ValueId>&noises = by_type_[Type::Noise], &numbers = by_type_[Type::Scalar];
+        const std::vector<ValueId>& normals = by_type_[Type::Normal];
+        const std::size_t which = below(32);
+        if (which > 1 || numbers.empty() || normals.empty()) return;
+        const ValueId n = pick(normals), wanted = pick(normals), part = pick(numbers);
+        if (which == 0) {
+            const ValueId direction = put(Op::direction_of, {wanted});
+            const ValueId gradient = put(Op::surfgrad_from_normal, {n, direction});
+            put(Op::resolve, {n, put(Op::mask_surfgrad, {gradient, part})});
+        } else if (!noises.empty()) {
+            const ValueId local = put(Op::noise_gradient, {pick(numbers), pick(noises)});
+            const Op turn = below(2) == 0 ? Op::gradient_from_object : Op::gradient_from_world;
+            const ValueId scaled = put(Op::scale_volgrad, {part, put(turn, {local})});
+            put(Op::resolve, {n, put(Op::surfgrad_from_volume, {n, scaled})});
         }
-        const std::vector<ValueId>& strengths = by_type_[Type::Scalar];
-        if (!n.valid() || !g.valid() || strengths.empty()) return;
-        auto put = [&](Op op, Type type, std::vector<ValueId> operands) {
-            const ValueId id{static_cast<std::uint32_t>(out_.module.values.size())};
-            ir::Value value{.op = op, .type = type};
-            value.operands = std::move(operands);
-            out_.module.values.push_back(std::move(value));
-            depth_.push_back(0);
-            by_type_[type].push_back(id);
-            return id;
-        };
-        const ValueId scaled = put(Op::scale_volgrad, Type::VolGrad, {strengths.back(), g});
-        const ValueId projected = put(Op::surfgrad_from_volume, Type::SurfGrad, {n, scaled});
-        put(Op::resolve, Type::Normal, {n, projected});
     }
 
     // Coordinates and bases, which many rules look at, more often than the rest.
