@@ -86,8 +86,7 @@ SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights,
         gap = ray - sg_parallax_height(map, filtering, heights, st + ray * per_height, level);
     }
     // The gap is taken as linear over the last step: it ends `back` of a step before ray.
-    bool crossed = gap < 0.0 && gap_before > 0.0;
-    float back = crossed ? gap / (gap - gap_before) : 0.0;
+    float back = gap < 0.0 ? clamp(gap / (gap - gap_before), 0.0, 1.0) : 0.0;
     float height = ray + back * drop;
     return SgParallax(height * per_height, height);
 }
