@@ -11,7 +11,7 @@ const float SG_MAX_SURFGRAD = 128.0;  // 89.55 degrees, as for derivatives
 //   n: unit base normal; v: the perturbed normal, of a length from 1e-12 to 1e15, same space as n.
 // Result: perpendicular to n; |g| <= 128; the exact inverse of sg_resolve where v is within 89.55 degrees of n; an
 // inward v counts as its mirror image in front, continuously through dot(n, v) = 0; a shorter v gives less, 0 gives 0.
-// Cost: 19 instructions. Source: Listing 5, with the clamp.
+// Cost: 17 instructions. Source: Listing 5, with the clamp.
 vec3 sg_surfgrad_from_normal(vec3 n, vec3 v) {
     float along = dot(n, v);
     vec3 tilt = v - along * n;

@@ -69,7 +69,7 @@ float sg_parallax_height(texture2D map, sampler filtering, vec2 heights, vec2 st
 // Result: offset of st and height of the hit, refined linearly between the last two steps; a view at or below the
 // horizon counts as SG_PARALLAX_MIN_COSINE above it; without a hit (NaN texels) the bottom. Finite for finite
 // arguments.
-// Cost: 52 instructions, one texture read and about 8 instructions of them once per step.
+// Cost: 50 instructions, one texture read and about 8 instructions of them once per step.
 // Source: Brawley and Tatarchuk 2005; Listing 11.
 SgParallax sg_parallax_occlusion(texture2D map, sampler filtering, vec2 heights, vec2 st, vec3 view, float level,
                                  int steps) {

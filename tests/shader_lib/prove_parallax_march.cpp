@@ -130,7 +130,7 @@ Case occlusion() {
                          "float top = heights.y + heights.x;"},
                         {kFile, "view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)",
                          "-view.xy / max(view.z, SG_PARALLAX_MIN_COSINE)"},
-                        {kFile, "crossed ? gap / (gap - gap_before) : 0.0", "0.0"},
+                        {kFile, "gap < 0.0 ? clamp(gap / (gap - gap_before), 0.0, 1.0) : 0.0", "0.0"},
                         {kFile, "top - float(i) * drop", "top - float(i + 1) * drop"},
                         {kFile, "filtering), st, level).x", "filtering), st, 0.0).x"}},
             .textures = {hills(true)}};
@@ -211,7 +211,7 @@ Case ramp() {
         // 16 roundings of numbers below 0.1, through a crossing at least as steep as 0.8 to 1; 64 texels of
         // place.
         .bound = {.absolute = 0.1 * (16 + 3 * 64.0 / 64.0) * 3 * kUlp},
-        .mutants = {{kFile, "crossed ? gap / (gap - gap_before) : 0.0", "0.5"}},
+        .mutants = {{kFile, "gap < 0.0 ? clamp(gap / (gap - gap_before), 0.0, 1.0) : 0.0", "0.5"}},
         .textures = {texture}};
 }
 

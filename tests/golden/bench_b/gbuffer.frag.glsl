@@ -4,7 +4,6 @@
 
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
@@ -32,6 +31,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_decal_strength;
     float p_roughness;
     float p_metallic;
+    float d_dents_multiply;
     vec3 d_sign_axis_s;
     vec3 d_sign_axis_t;
 } sg_material;
@@ -69,7 +69,8 @@ void main() {
 
     // detail: normal_map
     vec2 m_detail_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
+    vec2 m_detail_scale_deriv = sg_stage_sample(t_moss, s_0, m_uv0).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
+    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
 
     SgVolume m_world = sg_stage_volume(sg_in_world_position);
 
@@ -82,9 +83,7 @@ void main() {
 
     // dents: noise
     SgNoise m_dents_noise = sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), sg_material.p_frequency), 4);
-    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(sg_material.p_frequency * sg_noise_power(m_dents_noise, sg_material.p_power).gradient);
-
-    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + sg_material.p_dent_strength * m_dents_gradient_from_object;
+    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(m_dents_noise, sg_material.p_power).gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
@@ -93,11 +92,11 @@ void main() {
     vec4 m_sign_cutout = sg_stage_sample(t_sign, s_0, m_sign_decal.uv);
     float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
 
-    vec3 m_add_volgrad_2 = m_add_volgrad + sg_combine_mask(sg_material.p_decal_strength * m_sign_gradient, m_sign_coverage);
-    vec3 m_add_surfgrad = m_weave + sg_combine_mask(m_detail, sg_stage_sample(t_moss, s_0, m_uv0).x) + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad_2);
+    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + m_dents_gradient_from_object + m_sign_coverage * sg_material.p_decal_strength * m_sign_gradient;
+    vec3 m_normal = sg_resolve(m_base_normal, m_weave + m_detail + sg_surfgrad_from_volume(m_base_normal, m_add_volgrad));
     vec4 m_texel = sg_stage_sample(t_stone, s_0, m_uv0);
     sg_out_base_color = vec4(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), sg_material.p_opacity * m_texel.w);
-    sg_out_normal = vec4(sg_resolve(m_base_normal, m_add_surfgrad), sg_material.p_roughness);
+    sg_out_normal = vec4(m_normal, sg_material.p_roughness);
     sg_out_surface = vec4(sg_material.p_metallic, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

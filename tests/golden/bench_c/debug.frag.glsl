@@ -7,13 +7,11 @@
 #include "stage/moved.glsl"
 #include "stage/object.glsl"
 #include "stage/view.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
 #include "surfgrad/from_normal.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -49,6 +47,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_metallic;
     float p_wetness;
     float d_parallax_multiply;
+    float d_dents_multiply;
     vec3 d_sign_axis_s;
     vec3 d_sign_axis_t;
     vec3 d_plaster_axis_s;
@@ -93,22 +92,23 @@ void main() {
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: normal_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5)));
-    vec3 m_stones = sg_material.p_stone_strength * m_stones_surfgrad_from_height;
+    vec2 m_stones_scale_deriv = sg_material.p_stone_strength * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5));
+    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), m_stones_scale_deriv);
 
     // detail: normal_map
     vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
+    vec2 m_detail_scale_deriv = sg_sample(t_moss, s_0, m_seen_uv).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
+    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
 
     // sphere: object_normal_map
     vec3 m_sphere_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_sphere, s_0, m_seen_uv).xyz, 127.5));
     vec3 m_sphere = sg_material.p_object_strength * sg_surfgrad_from_normal(m_base_normal, m_sphere_stored_normal);
 
     // ribs: height_map
-    vec2 m_ribs_scale_deriv = sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
+    vec2 m_ribs_scale_deriv = max(sg_in_color.x, 0.0) * sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
     vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_uv2));
 
-    vec3 m_add_surfgrad = m_stones + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_seen_uv).x) + m_sphere + sg_combine_mask(m_ribs, sg_in_color.x);
+    vec3 m_add_surfgrad = m_stones + m_detail + m_sphere + m_ribs;
     vec3 m_normal = sg_resolve(m_base_normal, m_add_surfgrad);
     SgFrame m_frame_2 = sg_stage_frame_rebuilt(m_parallax, m_normal, 1.0);
     SgVolume m_world = sg_stage_world_volume(m_frame_2);
@@ -122,16 +122,14 @@ void main() {
 
     // dents: noise
     SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6), sg_material.p_power);
-    vec3 m_dents_scale_volgrad = sg_material.p_dent_strength * sg_stage_gradient_from_object(sg_material.p_frequency * m_dents_noise.gradient);
 
-    vec3 m_add_volgrad = sg_combine_mask(sg_material.p_weave_strength * m_weave_gradient, sg_in_color.y) + m_dents_scale_volgrad;
-    vec3 m_normal_2 = sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad));
+    vec3 m_add_volgrad = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * m_weave_gradient + sg_stage_gradient_from_object(sg_material.d_dents_multiply * m_dents_noise.gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
     vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
     vec3 m_sign_gradient = sg_decal_gradient_along(m_sign_deriv, sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
-    vec3 m_sign_mask_volgrad = sg_combine_mask(sg_material.p_first_strength * m_sign_gradient, sg_decal_falloff_box(m_sign_decal.local, 0.25) * sg_sample(t_sign, s_0, m_sign_decal.uv).w);
+    float m_sign_multiply = sg_decal_falloff_box(m_sign_decal.local, 0.25) * sg_sample(t_sign, s_0, m_sign_decal.uv).w * sg_material.p_first_strength;
 
     // plaster: decal
     SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_world.p, m_world.dx, m_world.dy);
@@ -139,19 +137,15 @@ void main() {
     vec3 m_plaster_gradient = sg_decal_gradient_along(m_plaster_deriv, sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
     float m_plaster_coverage = sg_decal_falloff_box(m_plaster_decal.local, 0.25) * sg_sample(t_plaster, s_0, m_plaster_decal.uv).w;
 
-    vec3 m_add_volgrad_2 = m_sign_mask_volgrad + sg_combine_mask(sg_material.p_second_strength * m_plaster_gradient, m_plaster_coverage);
-    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_surfgrad_from_volume(m_normal_2, m_add_volgrad_2));
-
-    // film: earlier_normal
-    vec3 m_film = sg_surfgrad_from_normal(m_normal_3, m_normal);
-
+    vec3 m_add_volgrad_2 = m_sign_multiply * m_sign_gradient + m_plaster_coverage * sg_material.p_second_strength * m_plaster_gradient;
+    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_volume(sg_resolve_volume(m_normal, m_add_volgrad), m_add_volgrad_2), m_normal, max(sg_material.p_wetness * sg_in_color.z, 0.0));
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_normal_3, sg_combine_mask(m_film, sg_material.p_wetness * sg_in_color.z)));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, m_normal_2);  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, sg_in_color);  // vertex-color
     sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives

@@ -28,13 +28,11 @@
 //   uv2_dy             its change per pixel downward
 #include "function/moved.glsl"
 #include "function/spaces.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
 #include "surfgrad/from_normal.glsl"
-#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -139,6 +137,7 @@ struct SgMaterialParameters_bench_c {
     float p_metallic;
     float p_wetness;
     float d_parallax_multiply;
+    float d_dents_multiply;
     vec3 d_sign_axis_s;
     vec3 d_sign_axis_t;
     vec3 d_plaster_axis_s;
@@ -162,23 +161,23 @@ SgMaterialResult sg_material_bench_c(SgMaterialInputs sg_inputs, SgMaterialParam
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: normal_map
-    vec3 m_stones_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5)));
-    vec3 m_stones = sg_material.p_stone_strength * m_stones_surfgrad_from_height;
+    vec2 m_stones_scale_deriv = sg_material.p_stone_strength * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5));
+    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), m_stones_scale_deriv);
 
     // detail: normal_map
     vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec3 m_detail = sg_surfgrad_from_tbn(sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m), sg_basis_uv(m_frame, m_uv1));
+    vec2 m_detail_scale_deriv = sg_sample(t_moss, s_0, m_seen_uv).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
+    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
 
     // sphere: object_normal_map
     vec3 m_sphere_stored_normal = sg_function_normal_from_object(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_decode_signed(sg_sample(t_sphere, s_0, m_seen_uv).xyz, 127.5));
     vec3 m_sphere = sg_material.p_object_strength * sg_surfgrad_from_normal(m_base_normal, m_sphere_stored_normal);
 
     // ribs: height_map
-    vec2 m_ribs_scale_deriv = sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
+    vec2 m_ribs_scale_deriv = max(sg_inputs.color.x, 0.0) * sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
     vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_uv2));
 
-    vec3 m_add_surfgrad = m_stones + sg_combine_mask(m_detail, sg_sample(t_moss, s_0, m_seen_uv).x) + m_sphere + sg_combine_mask(m_ribs, sg_inputs.color.x);
-    vec3 m_normal = sg_resolve(m_base_normal, m_add_surfgrad);
+    vec3 m_normal = sg_resolve(m_base_normal, m_stones + m_detail + m_sphere + m_ribs);
     SgFrame m_frame_2 = sg_function_frame_rebuilt(m_parallax_position, m_normal, 1.0, sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, sg_inputs.clip_w);
     SgVolume m_world = sg_function_world_volume(sg_inputs.camera_position, m_frame_2);
 
@@ -191,10 +190,9 @@ SgMaterialResult sg_material_bench_c(SgMaterialInputs sg_inputs, SgMaterialParam
 
     // dents: noise
     SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6), sg_material.p_power);
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_material.p_frequency * m_dents_noise.gradient);
+    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_material.d_dents_multiply * m_dents_noise.gradient);
 
-    vec3 m_add_volgrad = sg_combine_mask(sg_material.p_weave_strength * m_weave_gradient, sg_inputs.color.y) + sg_material.p_dent_strength * m_dents_gradient_from_object;
-    vec3 m_normal_2 = sg_resolve(m_normal, sg_surfgrad_from_volume(m_normal, m_add_volgrad));
+    vec3 m_add_volgrad = max(sg_inputs.color.y, 0.0) * sg_material.p_weave_strength * m_weave_gradient + m_dents_gradient_from_object;
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
@@ -210,15 +208,11 @@ SgMaterialResult sg_material_bench_c(SgMaterialInputs sg_inputs, SgMaterialParam
     vec4 m_plaster_cutout = sg_sample(t_plaster, s_0, m_plaster_decal.uv);
     float m_plaster_coverage = sg_decal_falloff_box(m_plaster_decal.local, 0.25) * m_plaster_cutout.w;
 
-    vec3 m_add_volgrad_2 = sg_combine_mask(sg_material.p_first_strength * m_sign_gradient, m_sign_coverage) + sg_combine_mask(sg_material.p_second_strength * m_plaster_gradient, m_plaster_coverage);
-    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_surfgrad_from_volume(m_normal_2, m_add_volgrad_2));
-
-    // film: earlier_normal
-    vec3 m_film = sg_surfgrad_from_normal(m_normal_3, m_normal);
-
+    vec3 m_add_volgrad_2 = m_sign_coverage * sg_material.p_first_strength * m_sign_gradient + m_plaster_coverage * sg_material.p_second_strength * m_plaster_gradient;
     float m_wet = sg_material.p_wetness * sg_inputs.color.z;
+    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_volume(sg_resolve_volume(m_normal, m_add_volgrad), m_add_volgrad_2), m_normal, max(m_wet, 0.0));
     vec4 m_texel = sg_sample(t_stone, s_0, m_seen_uv);
     vec3 m_marked = mix(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb, m_plaster_coverage);
     float m_mix = mix(mix(mix(sg_material.p_roughness, 0.4, m_sign_coverage), 0.4, m_plaster_coverage), 0.1, m_wet);
-    return SgMaterialResult(sg_resolve(m_normal_3, sg_combine_mask(m_film, m_wet)), m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_metallic, m_mix, 1.0, vec3(0.0), sg_material.p_opacity * m_texel.w, 0.0);
+    return SgMaterialResult(m_normal_2, m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_metallic, m_mix, 1.0, vec3(0.0), sg_material.p_opacity * m_texel.w, 0.0);
 }

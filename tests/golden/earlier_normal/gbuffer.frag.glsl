@@ -3,10 +3,8 @@
 // puddles: fragment shader of the entry point 'gbuffer', made by surfgradc.
 
 #include "stage/fragment.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
-#include "surfgrad/from_normal.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/tbn.glsl"
@@ -43,19 +41,10 @@ void main() {
     vec2 m_layer_2_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
     vec3 m_layer_2 = sg_surfgrad_from_tbn(sg_deriv_from_normal_xy(m_layer_2_m), sg_basis_uv(m_frame_2, m_uv1));
 
-    vec3 m_normal_2 = sg_resolve(m_normal, m_layer_2);
-
-    // layer 3: earlier_normal
-    vec3 m_layer_3 = sg_surfgrad_from_normal(m_normal_2, m_normal);
-
     float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
-    vec3 m_normal_3 = sg_resolve(m_normal_2, sg_combine_mask(m_layer_3, m_water));
-
-    // layer 4: earlier_normal
-    vec3 m_layer_4 = sg_surfgrad_from_normal(m_normal_3, m_base_normal);
-
+    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_towards(sg_resolve(m_normal, m_layer_2), m_normal, m_water), m_base_normal, max(sg_smoothstep(0.6, 0.9, m_water), 0.0));
     sg_out_base_color = vec4(mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 1.0);
-    sg_out_normal = vec4(sg_resolve(m_normal_3, sg_combine_mask(m_layer_4, sg_smoothstep(0.6, 0.9, m_water))), mix(0.8, 0.4, m_water));
+    sg_out_normal = vec4(m_normal_2, mix(0.8, 0.4, m_water));
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

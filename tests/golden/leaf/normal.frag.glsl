@@ -4,7 +4,6 @@
 
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
-#include "surfgrad/combine.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -34,18 +33,14 @@ void main() {
 
     // veins: height_map
     SgUv m_veins_uv = sg_uv_scale(m_uv0, vec2(3.0, 2.0));
-    vec3 m_veins_surfgrad_from_height = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
-    vec3 m_veins = 0.12 * m_veins_surfgrad_from_height;
+    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), 0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
 
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
-
-    // blisters: noise
-    vec3 m_blisters_gradient_from_object = sg_stage_gradient_from_object(7.0 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient);
-
     vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
 
     // blisters: noise
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_combine_mask(0.02 * m_blisters_gradient_from_object, 1.0 - m_texel.x));
+    vec3 m_blisters_noise_gradient = max(1.0 - m_texel.x, 0.0) * 0.14 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient;
+    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_blisters_noise_gradient));
 
     vec4 m_texel_2 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
     if (1.0 - m_texel_2.x * sg_material.p_eaten < 0.58) discard;
