@@ -2,10 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "base/ice.hpp"
-#include "emit/levels.hpp"
 
 namespace sg::emit {
 namespace {
@@ -13,40 +10,6 @@ namespace {
 using ir::Attribute;
 using ir::Value;
 using ir::ValueId;
-
-constexpr std::size_t kLongExpression = 90;
-
-// Values that are as short as a name: they are written out at each use.
-bool is_trivial(const Value& value) {
-    switch (value.op) {
-        case ir::Op::position:
-        case ir::Op::vertex_normal:
-        case ir::Op::vertex_tangent:
-        case ir::Op::constant:
-        case ir::Op::parameter:
-        case ir::Op::derived:
-        case ir::Op::vertex_color:
-        case ir::Op::splat:
-        case ir::Op::color:
-        case ir::Op::zero_surfgrad:
-        case ir::Op::gradient_from_world:
-        case ir::Op::direction_of:
-        case ir::Op::swizzle:
-        case ir::Op::channel_of:
-        case ir::Op::rgb_of:
-        case ir::Op::noise_value:
-        case ir::Op::triplanar_axis:
-        case ir::Op::planar_weights:
-        case ir::Op::decal_uv:
-        case ir::Op::hit_offset:
-        case ir::Op::hit_height:
-        case ir::Op::pair_first:
-        case ir::Op::pair_second:
-            return true;
-        default:
-            return false;
-    }
-}
 
 // How tightly a row's text binds: sums, products, everything else. `a + t * b` counts as a sum.
 enum class Tightness { sum, product, tight };
@@ -56,13 +19,20 @@ Tightness tightness_of(const Value& value) {
     return glsl.starts_with("{0} *") ? Tightness::product : Tightness::sum;
 }
 
-// How often a row's text writes an operand.
-std::uint32_t times_written(std::string_view glsl, std::size_t operand) {
-    std::string place = fmt::format("{{{}}}", operand);
-    std::uint32_t times = 0;
-    for (std::size_t at = glsl.find(place); at != std::string_view::npos; at = glsl.find(place, at + 1))
-        ++times;
-    return times;
+// For a value that no one named.
+std::string_view hint_of(const Value& value) {
+    switch (value.type) {
+        case ir::Type::SurfGrad:
+        case ir::Type::VolGrad:
+        case ir::Type::LocalGrad:
+            return "gradient";
+        case ir::Type::Deriv:
+            return "deriv";
+        case ir::Type::Color:
+            return "color";
+        default:
+            return ir::info(value.op).name;
+    }
 }
 
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
@@ -71,60 +41,47 @@ void replace_all(std::string& text, std::string_view what, std::string_view with
     }
 }
 
-}  // namespace
-
-Wording stage_wording(ir::Op op) {
-    return {ir::info(op).glsl, ir::info(op).include};
+// Where a text takes channels of a swizzle, `place`.xy of c.wzyx, it takes them of what was swizzled: c.wz.
+void choose_channels(std::string& text, const std::string& place, std::string_view swizzled) {
+    constexpr std::string_view kLetters = "xyzwrgba";
+    const std::string part = place + ".";
+    const std::size_t dot = swizzled.rfind('.');
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at)) {
+        std::string chosen(swizzled.substr(0, dot + 1));
+        std::size_t end = at + part.size();
+        for (; end < text.size() && kLetters.find(text[end]) != kLetters.npos; ++end)
+            chosen += swizzled[dot + 1 + kLetters.find(text[end]) % 4];
+        text.replace(at, end - at, chosen);
+    }
 }
+
+}  // namespace
 
 Body::Body(const ir::Module& module, const MaterialInterface& material, Wording (*wording)(ir::Op))
     : module_(module),
       material_(material),
       wording_(wording),
-      looks_along_ray_(std::any_of(module.values.begin(), module.values.end(),
-                                   [](const Value& v) { return ir::looks_along_ray(v.op); })) {
-    // A function is called from anywhere: it knows no neighbouring pixels.
-    if (wording_ == stage_wording) follows_the_pixels_ = follows_the_pixels(module_);
-    count_uses();
+      plan_(plan_of(module, wording)),
+      expressions_(module.values.size()) {
+    // Names are given in the order of the text, expressions are made in that of the module.
+    std::vector<std::string> names(module_.values.size());
+    for (const Local& local : plan_.locals)
+        names[local.value] = names_.unique("m_", wanted_name(local.value));
+    std::vector<std::string> statements(module_.values.size());
     for (std::size_t i = 0; i < module_.values.size(); ++i) {
-        std::string_view include = wording_of(module_.values[i]).include;
-        if (!include.empty()) includes_.insert(include);
-        std::string text = expression(module_.values[i]);
-        bool named = wants_name(i, text);
-        expressions_.push_back(std::move(text));
-        if (named) statement(i);
-    }
-    begin_layer({});
-}
-
-void Body::count_uses() {
-    uses_.assign(module_.values.size(), 0);
-    layer_result_.assign(module_.values.size(), false);
-    for (const Value& value : module_.values) {
-        for (ValueId operand : value.operands) {
-            const Value& used = module_.at(operand);
-            bool leaves_layer = used.layer.valid() && used.layer != value.layer;
-            if (leaves_layer && used.type == ir::Type::SurfGrad) layer_result_[operand.index] = true;
-        }
-    }
-    // What an alpha test compares is an output as well; a function leaves the test to its caller.
-    bool tested_and_shown = wording_ == stage_wording && module_.output(ir::Output::cutoff).valid() &&
-                            module_.output(ir::Output::base_color).valid();
-    for (const ir::OutputBinding& output : module_.outputs) {
-        bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output) ||
-                           output.output == ir::Output::normal_derivatives;
-        if (output.output == ir::Output::opacity) taken_apart = tested_and_shown;
-        uses_[output.value.index] += taken_apart ? 2 : 1;
-        if (module_.at(output.value).layer.valid()) layer_result_[output.value.index] = true;
-    }
-    // A trivial value is written out at each use, and its operands with it.
-    for (std::size_t i = module_.values.size(); i-- > 0;) {
         const Value& value = module_.values[i];
-        std::uint32_t times = is_trivial(value) ? std::min(uses_[i], 2u) : 1;
-        for (std::size_t k = 0; k < value.operands.size(); ++k) {
-            bool called = ir::info(value.op).attribute == Attribute::Function;
-            uses_[value.operands[k].index] += called ? 1 : times * times_written(wording_(value.op).glsl, k);
-        }
+        std::string_view include = wording_of(i).include;
+        if (!include.empty()) includes_.insert(include);
+        expressions_[i] = expression(i);
+        if (names[i].empty()) continue;
+        statements[i] =
+            fmt::format("    {} {} = {};\n", ir::info(value.type).glsl, names[i], expressions_[i]);
+        expressions_[i] = std::move(names[i]);
+    }
+    ir::LayerId current;
+    for (const Local& local : plan_.locals) {
+        if (local.layer != current) begin_paragraph(current = local.layer);
+        text_ += statements[local.value];
     }
 }
 
@@ -204,18 +161,14 @@ std::string Body::operand_of(const Value& parent, std::size_t index) const {
     return member || (outer != Tightness::tight && looser) ? "(" + text + ")" : text;
 }
 
-bool Body::leaves_level_to_hardware(const Value& value) const {
-    return value.op == ir::Op::sample && !follows_the_pixels_.empty() &&
-           follows_the_pixels_[value.operands[0].index];
+Wording Body::wording_of(std::size_t index) const {
+    if (plan_.hardware_level[index]) return {"sg_stage_sample({t}, {s}, {0})", "stage/fragment.glsl"};
+    return wording_(module_.values[index].op);
 }
 
-Wording Body::wording_of(const Value& value) const {
-    if (leaves_level_to_hardware(value)) return {"sg_stage_sample({t}, {s}, {0})", "stage/fragment.glsl"};
-    return wording_(value.op);
-}
-
-std::string Body::expression(const Value& value) const {
-    std::string text(wording_of(value).glsl);
+std::string Body::expression(std::size_t index) const {
+    const Value& value = module_.values[index];
+    std::string text(wording_of(index).glsl);
     replace_all(text, "{a}", attribute(value));
     if (ir::info(value.op).attribute == Attribute::Texture) {
         const TextureSlot* slot = material_.texture(value.index);
@@ -224,47 +177,30 @@ std::string Body::expression(const Value& value) const {
         replace_all(text, "{s}", material_.samplers[slot->sampler].variable);
     }
     for (std::size_t i = 0; i < value.operands.size(); ++i) {
-        replace_all(text, fmt::format("{{{}}}", i), operand_of(value, i));
+        const std::string place = fmt::format("{{{}}}", i), operand = operand_of(value, i);
+        const Value& given = module_.at(value.operands[i]);
+        if (given.op == ir::Op::constant)  // a count
+            replace_all(text, "int(" + place + ")", fmt::format("{}", static_cast<int>(given.number[0])));
+        if (given.op == ir::Op::swizzle) choose_channels(text, place, operand);
+        replace_all(text, place, operand);
     }
     return text;
 }
 
-bool Body::wants_name(std::size_t i, const std::string& expression) const {
-    const Value& value = module_.values[i];
-    if (is_trivial(value)) return false;
-    // Derivatives are taken where they stand, not where they are used behind parallax.
-    // Nor behind an alpha test, which ends the neighbours.
-    const bool ends = module_.output(ir::Output::cutoff).valid();
-    if ((looks_along_ray_ || ends) && ir::takes_screen_derivatives(value.op)) return true;
-    if (ends && leaves_level_to_hardware(value)) return true;
-    return uses_[i] > 1 || layer_result_[i] || value.type == ir::Type::Frame ||
-           expression.size() > kLongExpression;
-}
-
 std::string Body::wanted_name(std::size_t i) const {
     const Value& value = module_.values[i];
-    std::string_view hint = value.name.empty() ? ir::info(value.op).name : std::string_view(value.name);
+    std::string_view hint = value.name.empty() ? hint_of(value) : std::string_view(value.name);
     if (!value.layer.valid()) return std::string(hint);
     const std::string& id = module_.layers[value.layer.index].id;
-    return layer_result_[i] ? id : fmt::format("{}_{}", id, hint);
+    return plan_.layer_result[i] ? id : fmt::format("{}_{}", id, hint);
 }
 
-// A blank line and a comment in front of each layer's lines, a blank line behind them.
-void Body::begin_layer(ir::LayerId layer) {
-    if (layer == current_layer_) return;
-    current_layer_ = layer;
+// A blank line, and in front of a layer's lines a comment.
+void Body::begin_paragraph(ir::LayerId layer) {
     if (!text_.empty()) text_ += "\n";
     if (!layer.valid()) return;
     const ir::Layer& info = module_.layers[layer.index];
     text_ += fmt::format("    // {}: {}\n", comment_text(info.id), info.kind);
-}
-
-void Body::statement(std::size_t i) {
-    const Value& value = module_.values[i];
-    begin_layer(value.layer);
-    std::string name = names_.unique("m_", wanted_name(i));
-    text_ += fmt::format("    {} {} = {};\n", ir::info(value.type).glsl, name, expressions_[i]);
-    expressions_[i] = name;
 }
 
 }  // namespace sg::emit

@@ -7,6 +7,7 @@
 
 #include "emit/body.hpp"
 #include "emit/names.hpp"
+#include "emit/wrap.hpp"
 
 namespace sg::emit {
 namespace {
@@ -73,12 +74,10 @@ std::vector<FunctionField> make_inputs() {
     out.push_back({"base_normal_dx", "vec3", "change of the unit vertex normal per pixel to the right"});
     out.push_back({"base_normal_dy", "vec3", "its change per pixel downward"});
     out.push_back({"camera_position", "vec3", "absolute world space"});
-    out.push_back(
-        {"to_viewer", "vec4",
-         "of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0"});
-    out.push_back(
-        {"screen_x", "vec4",
-         "first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space"});
+    out.push_back({"to_viewer", "vec4",
+                   "of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0"});
+    out.push_back({"screen_x", "vec4",
+                   "first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space"});
     out.push_back({"screen_y", "vec4", "its second column"});
     out.push_back({"clip_w", "vec4", "last row of the matrix from relative world space to clip space"});
     for (std::uint32_t set = 0; set < 8; ++set) {
@@ -107,7 +106,7 @@ std::string fields_text(std::string_view name, std::span<const FunctionField> fi
     std::string out = fmt::format("struct {} {{\n", name);
     for (const FunctionField& field : fields)
         out +=
-            fmt::format("    {:<30}  // {}\n", fmt::format("{} {};", field.type, field.name), field.meaning);
+            fmt::format("    {:<24}  // {}\n", fmt::format("{} {};", field.type, field.name), field.meaning);
     return out + "};\n";
 }
 
@@ -174,10 +173,9 @@ std::string parameters_text(const MaterialInterface& material, const std::string
 
 std::string comment_of(const ir::Module& module, const MaterialFunction& function) {
     std::string out = fmt::format(
-        "// {0}: the material as a function, made by surfgradc. It takes no derivatives and reads nothing "
-        "but its\n"
-        "// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no "
-        "value:\n",
+        "// {0}: the material as a function, made by surfgradc.\n"
+        "// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.\n"
+        "// Of SgMaterialInputs it reads these; the others need no value:\n",
         comment_text(module.name));
     for (const FunctionField& field : function_inputs()) {
         if (std::find(function.inputs.begin(), function.inputs.end(), field.name) != function.inputs.end())
@@ -292,8 +290,10 @@ MaterialFunction emit_function(const ir::Module& module, const MaterialInterface
     std::vector<std::string> names;
     const std::string user = user_glsl(module, names);
     out.has_user_glsl = !user.empty();
-    const std::string lines = with_suffix(
-        fmt::format("{}    return SgMaterialResult({});\n", body.text(), returned), names, out.suffix);
+    const std::string lines =
+        wrapped(with_suffix(fmt::format("{}{}    return SgMaterialResult({});\n", body.text(),
+                                        body.text().empty() ? "" : "\n", returned),
+                            names, out.suffix));
     for (const FunctionField& field : function_inputs()) {
         if (reads(lines, field.name)) out.inputs.push_back(field.name);
     }
@@ -301,7 +301,8 @@ MaterialFunction emit_function(const ir::Module& module, const MaterialInterface
     for (std::string_view include : body.includes()) out.text += fmt::format("#include \"{}\"\n", include);
     out.text += "\n" + with_suffix(user, names, out.suffix) + shared_types() +
                 parameters_text(material, out.parameters_type);
-    out.text += fmt::format("SgMaterialResult {}({}) {{\n{}}}\n", out.name, arguments(out, true), lines);
+    out.text +=
+        wrapped(fmt::format("SgMaterialResult {}({}) {{\n", out.name, arguments(out, true))) + lines + "}\n";
     out.caller = caller_of(out);
     return out;
 }

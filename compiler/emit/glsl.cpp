@@ -6,6 +6,7 @@
 
 #include "base/ice.hpp"
 #include "emit/body.hpp"
+#include "emit/wrap.hpp"
 #include "ir/lighting.hpp"
 
 namespace sg::emit {
@@ -137,25 +138,26 @@ const ir::LightingModel& lighting_of(const ir::Module& module) {
 
 std::string lit_tail(const ir::Module& module, const Body& body) {
     const ir::LightingModel& model = lighting_of(module);
-    std::string inputs;
+    std::string out = fmt::format("    {} sg_surface;\n", model.surface);
     for (Output input : model.inputs)
-        inputs += (inputs.empty() ? "" : ", ") + body.operand(module.output(input));
-    return fmt::format(
-        "    {0} sg_surface = {0}({1});\n"
-        "    vec3 sg_radiance = sg_{2}_radiance(sg_surface, {3}, sg_stage_lights(sg_in_position));\n"
-        "    sg_out_color = vec4(sg_radiance, {4});\n",
-        model.surface, inputs, model.name, body.operand(module.output(Output::normal)),
-        body.operand(module.output(Output::opacity)));
+        out += fmt::format("    sg_surface.{} = {};\n", ir::output_name(input),
+                           body.operand(module.output(input)));
+    return out + fmt::format(
+                     "    sg_out_color = vec4(sg_{}_radiance(sg_surface, {}, "
+                     "sg_stage_lights(sg_in_position)), {});\n",
+                     model.name, body.operand(module.output(Output::normal)),
+                     body.operand(module.output(Output::opacity)));
 }
 
 std::string tail(const ir::Module& module, const EntryPoint& entry, const Body& body,
                  EntryInterface& interface) {
     auto operand = [&](Output output) { return body.operand(module.output(output)); };
     std::string out = alpha_test(module, body);
+    if (entry.name == "depth") return out;
+    if (!out.empty()) out += "\n";
     if (entry.name == "debug") return out + debug_tail(module, body, interface);
     if (entry.name == "normal")
         return out + fmt::format("    sg_out_normal = vec4({}, 1.0);\n", operand(Output::normal));
-    if (entry.name == "depth") return out;
     if (entry.name == "gbuffer") {
         return out +
                fmt::format(
@@ -230,10 +232,16 @@ std::string emit_vertex(const ir::Module& module, const EntryPoint& entry,
         out += fmt::format("layout(location = {}) out {} sg_out_{};\n", varying_location(v),
                            vertex_input(v).glsl_type, varying_name(v));
     }
-    out += "\nvoid main() {\n    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);\n";
+    out += "\nvoid main() {\n";
+    std::string position = "sg_stage_position(sg_vertex_position)";
+    if (std::any_of(varyings.begin(), varyings.end(),
+                    [](const Varying& v) { return v.source == Op::position; })) {
+        out += fmt::format("    vec3 sg_relative_position = {};\n", position);
+        position = "sg_relative_position";
+    }
     for (const Varying& v : varyings)
         out += fmt::format("    sg_out_{} = {};\n", varying_name(v), vertex_value(v));
-    return out + "    gl_Position = sg_stage_clip(sg_relative_position);\n}\n";
+    return out + fmt::format("    gl_Position = sg_stage_clip({});\n}}\n", position);
 }
 
 Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const MaterialInterface& material) {
@@ -268,7 +276,8 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
     }
     for (std::size_t i = 0; i < entry.attachments.size(); ++i)
         text += fmt::format("layout(location = {}) out vec4 sg_out_{};\n", i, entry.attachments[i].name);
-    text += fmt::format("\nvoid main() {{\n{}{}}}\n", body.text(), last);
+    const char* gap = body.text().empty() || last.empty() ? "" : "\n";
+    text += fmt::format("\nvoid main() {{\n{}{}{}}}\n", wrapped(body.text()), gap, wrapped(last));
     out.fragment = std::move(text);
     out.vertex = emit_vertex(module, entry, out.interface.varyings);
     return out;

@@ -126,6 +126,7 @@ Rows graph_rows() {
     return {
         Row{Op::pair, [](double x, double y) { return dvec2(x, y); }},
         Row{Op::drift, [](dvec2 start, dvec2 speed, double t) { return start + t * speed; }},
+        Row{Op::travel, [](double t, dvec2 speed) { return t * speed; }},
         Row{Op::swizzle,
             [](const Call& c, dvec4 texel) {
                 const auto from = swizzle_channels(c.value.index);

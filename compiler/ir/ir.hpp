@@ -154,6 +154,7 @@ struct Value {
     std::uint32_t index = 0;         // every attribute but Zero and Number
     std::array<double, 4> number{};  // Zero: [0]; Number: as many as the type has
     std::string name;                // a hint for generated text, may be empty, need not be unique
+    bool is_node = false;            // the name is one that the author gave to a node of the material
     LayerId layer;                   // invalid: belongs to no layer
 };
 

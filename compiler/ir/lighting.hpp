@@ -16,7 +16,7 @@ struct LightingModel {
     std::string_view name;     // in JSON, IR, GLSL and file
     std::string_view surface;  // GLSL struct of what it is told
     std::string_view doc;
-    std::vector<Output> inputs;  // the struct's members, in order
+    std::vector<Output> inputs;  // the members of the struct, by their names
 };
 std::span<const LightingModel> all_lighting_models();  // the first is the default
 // By its name; its index is what a module holds.

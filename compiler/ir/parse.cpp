@@ -248,6 +248,8 @@ private:
             value.operands.push_back(in.value_id());
         in.expect(':');
         value.type = type(in);
+        value.is_node = !in.at_end() && in.rest.front() == '"';
+        if (value.is_node) value.name = in.quoted('"');
         if (!in.at_end() && in.rest.front() == '\'') value.name = in.quoted('\'');
         list.push_back(std::move(value));
     }

@@ -35,7 +35,7 @@ std::string value_line(std::size_t i, const Value& value) {
     std::string line = fmt::format("%{} = {}{}", i, info(value.op).name, attribute_text(value));
     for (ValueId operand : value.operands) line += fmt::format(" %{}", operand.index);
     line += fmt::format(" : {}", info(value.type).name);
-    if (!value.name.empty()) line += " " + quoted(value.name, '\'');
+    if (!value.name.empty()) line += " " + quoted(value.name, value.is_node ? '"' : '\'');
     return line + "\n";
 }
 

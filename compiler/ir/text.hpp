@@ -14,6 +14,7 @@
 //   %2 = sample 0 %1 : Texel 'texel'  attribute Texture, operands, a name hint
 //   %3 = decode_normal_xyz 127.5 %2 : TangentNormal
 //   %4 = constant 0.5 : Scalar        attribute Number, as many as the type has
+//   %5 = add %4 %4 : Scalar "wear"    the name of a node of the material
 //   layer none
 //   output normal = %9
 //   output uv 0 = %1

@@ -49,9 +49,14 @@ void LowerContext::begin_stage(ValueId resolved_normal) {
     forget_stage();
 }
 
-void LowerContext::begin_entry(ValueId resolved_normal) {
+void LowerContext::begin_entry(ValueId resolved_normal, std::string_view id) {
+    stage_surface_ = id.empty() ? "bumped" : id;
     entry_normals_.push_back(resolved_normal);
     begin_stage(resolved_normal);
+}
+
+std::string LowerContext::of_stage(std::string_view hint) const {
+    return stage_surface_ + (stage_surface_.empty() ? "" : "_") + std::string(hint);
 }
 
 // Nodes may look at the normal: those of the next stage see the new one.
@@ -109,7 +114,7 @@ ValueId LowerContext::frame() {
     if (frames_.size() == 1) return first_frame();
     if (on_detail() && follows_) return detail_frame();
     return shared(frames_.back(), [&] {
-        return builder_.add(Op::frame_resolved, {first_frame(), normal()}, "frame");
+        return builder_.add(Op::frame_resolved, {first_frame(), normal()}, of_stage("frame"));
     });
 }
 
@@ -120,7 +125,7 @@ ValueId LowerContext::basis_vertex() {
     });
     if (bases_.size() == 1) return tangents;
     return shared(bases_.back(), [&] {
-        return builder_.add(Op::basis_resolved, {tangents, normal()}, "basis_vertex");
+        return builder_.add(Op::basis_resolved, {tangents, normal()}, of_stage("basis_vertex"));
     });
 }
 
@@ -229,7 +234,10 @@ ValueId LowerContext::lowered(NodeId id) {
         node_ = outer;
         --depth_;
         ir::Value& last = builder_.module().values[made.index];
-        if (last.name.empty()) last.name = instance.name;
+        if (!last.is_node && !instance.name.empty()) {
+            last.name = instance.name;
+            last.is_node = true;
+        }
         return made;
     });
 }
@@ -291,6 +299,8 @@ ValueId LowerContext::basis_of(const MapPlace& place) {
 }
 
 ValueId LowerContext::texel(ir::TextureId texture, ValueId uv, std::string name) {
+    // Of several outside of layers each is known by its texture.
+    if (!layer_.valid()) name = fmt::format("{}_{}", builder_.module().textures[texture.index].name, name);
     ValueId stored = builder_.add_indexed(Op::sample, texture.index, {uv}, std::move(name));
     const TextureFacts& f = facts_[texture.index];
     if (f.swizzle == TextureFacts{}.swizzle) return stored;

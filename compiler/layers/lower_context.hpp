@@ -70,8 +70,8 @@ public:
     void set_layer(ir::LayerId layer);
     // The next stage starts from a resolved normal: new frame, new tangents.
     void begin_stage(ir::ValueId resolved_normal);
-    // The same where an entry of bump ended.
-    void begin_entry(ir::ValueId resolved_normal);
+    // The same where an entry of bump ended, of this id; it may have none.
+    void begin_entry(ir::ValueId resolved_normal, std::string_view id);
     // What follows belongs to the surface, not to a stage: behind parallax its coordinates keep the level of
     // detail of the mesh.
     void begin_surface();
@@ -171,6 +171,8 @@ private:
     // Whether a resolve stands between parallax and what is lowered.
     [[nodiscard]] bool on_detail() const { return moved() && normals_.size() > moved_in_; }
     void forget_stage();
+    // A hint for values of the current stage, after the surface that it stands on.
+    [[nodiscard]] std::string of_stage(std::string_view hint) const;
 
     ir::Builder& builder_;
     std::vector<TextureFacts> facts_;
@@ -200,6 +202,7 @@ private:
     std::map<std::uint32_t, ir::ValueId> detail_uvs_;
     ir::ValueId detail_frame_;  // of the current stage
     std::vector<ir::ValueId> entry_normals_;
+    std::string stage_surface_;  // "" of the mesh
     // By stage; the last is the current one.
     std::vector<ir::ValueId> normals_{1}, frames_{1}, bases_{1};
 };

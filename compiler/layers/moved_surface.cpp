@@ -40,6 +40,7 @@ ValueId LowerContext::height_of_viewed_side(const FieldValue& height) {
 
 void LowerContext::move_surface(const Found& found) {
     found_ = found;
+    stage_surface_ = "moved";
     ValueId mesh = viewed_frame(),
             there = builder_.add(Op::parallax_pixels, {found.uv, found.offset}, "pixels");
     pixels_ = there;
@@ -97,7 +98,7 @@ ValueId LowerContext::rebuilt_frame() {
     return shared(rebuilt_frames_[on_detail() ? 1 : 0], [&] {
         ValueId n = on_detail() ? normals_[moved_in_] : normal();
         ValueId side = sides_ == Sides::flip ? facing() : constant(1);
-        return builder_.add(Op::frame_rebuilt, {moved_position_, n, side}, "frame");
+        return builder_.add(Op::frame_rebuilt, {moved_position_, n, side}, "moved_frame");
     });
 }
 
@@ -107,7 +108,7 @@ ValueId LowerContext::detail_frame() {
     ValueId plane = rebuilt_frame();
     if (normals_.size() == moved_in_ + 1) return plane;
     return shared(detail_frame_, [&] {
-        return builder_.add(Op::frame_resolved, {plane, normal()}, "frame");
+        return builder_.add(Op::frame_resolved, {plane, normal()}, of_stage("frame"));
     });
 }
 
@@ -121,7 +122,7 @@ ValueId LowerContext::volume(Space space) {
     ValueId plane = rebuilt_frame();
     return shared(moved_volumes_[on_detail() ? 1 : 0][which], [&] {
         return builder_.add(space == Space::object ? Op::volume_object_at : Op::volume_world_at, {plane},
-                            std::string(name_of(space)));
+                            "moved_" + std::string(name_of(space)));
     });
 }
 

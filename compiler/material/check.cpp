@@ -146,6 +146,7 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
     for (const StageDecl& stage : material.bump) {
         checker.current_entry = checker.out.stages.size();
         checker.out.stages.emplace_back();
+        checker.out.stage_ids.push_back(stage.id.value);
         for (const LayerDecl& decl : stage.layers) checker.out.stages.back().push_back(checker.layer(decl));
     }
     checker.surface();

@@ -83,6 +83,7 @@ struct CheckedMaterial {
     std::vector<ShaderCall> calls;
     std::optional<CheckedParallax> parallax;        // of the first stage
     std::vector<std::vector<CheckedLayer>> stages;  // each ends in a resolve
+    std::vector<std::string> stage_ids;             // "" where none was given
     CheckedSurface surface;
     Budget budget;
     SourcePtr source;  // of the budget: of an instance, the material that it extends

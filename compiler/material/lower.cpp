@@ -25,9 +25,11 @@ public:
         ValueId gradient, normal;
         if (material_.parallax) parallax(*material_.parallax);
         for (std::size_t i = 0; i < material_.stages.size(); ++i) {
-            if (i > 0) context_.begin_entry(normal);
+            if (i > 0) context_.begin_entry(normal, material_.stage_ids[i - 1]);
             ValueId g = sum(material_.stages[i]);
-            normal = builder_.add(Op::resolve, {context_.normal(), g}, "normal");
+            const std::string& id = material_.stage_ids[i];
+            normal =
+                builder_.add(Op::resolve, {context_.normal(), g}, id.empty() ? "normal" : id + "_normal");
             if (i == 0) gradient = g;
         }
         if (!gradient.valid()) gradient = builder_.add(Op::zero_surfgrad);
@@ -126,7 +128,7 @@ private:
             const ir::Output output = layers::surface_output(field);
             if (!ir::has_input(model, output)) continue;
             const bool color = field.kind == layers::FieldKind::color;
-            builder_.output(output, color ? context_.color(s.values[i]) : context_.number(s.values[i]));
+            name_output(output, color ? context_.color(s.values[i]) : context_.number(s.values[i]));
         }
         without_microfacets();
         if (s.alpha_test)
@@ -146,6 +148,13 @@ private:
         ValueId sharpness = builder_.add(
             Op::add, {builder_.add(Op::multiply, {context_.constant(2), shine}), context_.constant(1)});
         builder_.output(roughness, builder_.add(Op::power, {sharpness, context_.constant(-0.25)}));
+    }
+
+    // A value without a name is named after what it is here.
+    void name_output(ir::Output which, ValueId id) {
+        builder_.output(which, id);
+        ir::Value& value = module_.values[id.index];
+        if (value.name.empty() && !value.operands.empty()) value.name = ir::output_name(which);
     }
 
     // What the debug entry shows of the inputs.

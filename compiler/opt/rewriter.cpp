@@ -91,6 +91,7 @@ ValueId Rewriter::add(Op op, std::vector<ValueId> operands, const Value& like) {
                      .type = info(op).result,
                      .operands = std::move(operands),
                      .name = like.name,
+                     .is_node = like.is_node,
                      .layer = like.layer});
 }
 

@@ -15,6 +15,7 @@ using ir::ValueId;
 Value unnamed(const Value& value) {
     Value like = value;
     like.name = "";
+    like.is_node = false;
     return like;
 }
 
@@ -351,6 +352,12 @@ ValueId add_zero_or_multiply_by_one(Rewriter& rewriter, const Value& value) {
     return {};
 }
 
+ValueId drift_from_nowhere(Rewriter& rewriter, const Value& value) {
+    const Value* start = rewriter.operand(value, 0, Op::constant);
+    if (!start || start->number[0] != 0 || start->number[1] != 0) return {};
+    return rewriter.add(Op::travel, {value.operands[2], value.operands[1]}, value);
+}
+
 std::vector<Rule> rules_of_gradients() {
     using enum Op;
     return {
@@ -431,6 +438,7 @@ std::vector<Rule> rules_of_numbers() {
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
          fold_numbers},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
+        {"drift_from_nowhere", "0 + t v = t v", {drift}, drift_from_nowhere},
         {"parallel_projection_has_one_gradient",
          "a parallel projection's gradients are the rows of its matrix, the same for every pixel",
          {decal_gradient},

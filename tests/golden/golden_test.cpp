@@ -9,10 +9,13 @@
 
 #include "compile.hpp"
 #include "emit/glsl.hpp"
+#include "emit/names.hpp"
 #include "explain.hpp"
 #include "ir/lighting.hpp"
+#include "ir/text.hpp"
 #include "layers/kind.hpp"
 #include "tests/support/golden.hpp"
+#include "text_faults.hpp"
 
 namespace sg {
 namespace {
@@ -52,16 +55,31 @@ std::string without_shader_hashes(const std::string& manifest) {
     return std::regex_replace(manifest, kHash, "$1\"...\"");
 }
 
-// A read of a texture that a text has twice, or "".
-std::string read_twice(const std::string& glsl) {
-    std::set<std::string> seen;
-    for (std::size_t at = glsl.find("_sample("); at != glsl.npos; at = glsl.find("_sample(", at + 1)) {
-        std::size_t end = glsl.find('(', at) + 1;
-        for (int open = 1; open > 0 && end < glsl.size(); ++end)
-            open += glsl[end] == '(' ? 1 : glsl[end] == ')' ? -1 : 0;
-        if (!seen.insert(glsl.substr(at, end - at)).second) return glsl.substr(at, end - at);
+// The names that a material's author gave, as locals.
+struct KnownLocals {
+    std::set<std::string> layers, nodes, all;
+};
+KnownLocals known_locals(const std::string& ir_text) {
+    std::string fault;
+    std::optional<ir::Module> module = ir::parse(ir_text, fault);
+    EXPECT_TRUE(module) << fault;
+    KnownLocals out;
+    for (const ir::Layer& layer : module->layers) out.layers.insert(emit::Names().unique("m_", layer.id));
+    for (const ir::Value& value : module->values) {
+        if (value.is_node) out.nodes.insert(emit::Names().unique("m_", value.name));
     }
-    return "";
+    out.all = out.layers;
+    out.all.insert(out.nodes.begin(), out.nodes.end());
+    return out;
+}
+
+void expect_as_by_hand(const NamedText& glsl, const KnownLocals& known) {
+    EXPECT_EQ(test::local_used_once(glsl.text, known.all), "") << glsl.name;
+    EXPECT_EQ(test::scattered_layer(glsl.text, known.layers, known.nodes), "") << glsl.name;
+    EXPECT_EQ(test::computed_twice(glsl.text), "") << glsl.name;
+    EXPECT_EQ(test::comment_twice(glsl.text), "") << glsl.name;
+    EXPECT_EQ(test::long_line(glsl.text), "") << glsl.name;
+    EXPECT_EQ(test::idle_arithmetic(glsl.text), "") << glsl.name;
 }
 
 class Sample : public testing::TestWithParam<fs::path> {};
@@ -71,9 +89,10 @@ TEST_P(Sample, Golden) {
     Compiled out = compile(GetParam());
     test::expect_golden("golden/" + stem + "/lowered.ir", out.ir);
     test::expect_golden("golden/" + stem + "/optimised.ir", out.optimised_ir);
+    const KnownLocals known = known_locals(out.optimised_ir);
     for (const NamedText& t : out.glsl) {
         test::expect_golden("golden/" + stem + "/" + t.name + ".glsl", t.text);
-        EXPECT_EQ(read_twice(t.text), "") << t.name;
+        expect_as_by_hand(t, known);
     }
     test::expect_golden("golden/" + stem + "/manifest.json", without_shader_hashes(out.files.back().second));
 }
@@ -99,7 +118,8 @@ TEST_P(Sample, NoDerivativeInstructionStandsBehindAnAlphaTest) {
         const std::size_t discarded = t.text.find("discard;");
         if (discarded == t.text.npos) continue;
         for (const char* call :
-             {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(", "sg_stage_normal_derivatives("}) {
+             {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(", "sg_stage_normal_derivatives(",
+                                 "sg_stage_sample("}) {
             const std::size_t last = t.text.rfind(call);
             EXPECT_TRUE(last == t.text.npos || last < discarded) << t.name << ": " << call;
         }

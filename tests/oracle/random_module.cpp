@@ -149,6 +149,14 @@ private:
         return values[values.size() - 1 - below(reach)];
     }
 
+    ValueId nowhere() {
+        const ValueId id{static_cast<std::uint32_t>(out_.module.values.size())};
+        depth_.push_back(0);
+        by_type_[Type::Vec2].push_back(id);
+        out_.module.values.push_back({.op = Op::constant, .type = Type::Vec2});
+        return id;
+    }
+
     void add(const ir::OpInfo& op) {
         // Most operations take something: else the few types that sources give crowd out deep graphs.
         const bool source = op.operands.empty() && op.attribute != ir::Attribute::Number;
@@ -160,6 +168,8 @@ private:
             value.operands.push_back(pick(by_type_[type]));
             depth = std::max(depth, depth_[value.operands.back().index]);
         }
+        // Chance seldom lets a drift begin nowhere.
+        if (op.op == Op::drift && below(2) == 0) value.operands[0] = nowhere();
         if (grows(op.result)) {
             depth += op.op == Op::power ? kMaxDepth : 1;  // nothing but plain numbers under a power
             if (depth > kMaxDepth) return;

@@ -27,23 +27,29 @@ layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    float m_facing = sg_stage_facing();
+    SgFrame m_frame = sg_stage_frame(sg_in_position,
+                                     sg_mirror_normal(sg_base_normal(sg_in_normal), m_facing));
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m), m_basis_vertex);
+    vec3 m_weave_m = sg_decode_signed(
+        sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_strength * sg_deriv_from_normal_xyz(m_weave_m),
+                                        m_basis_vertex);
 
-    float m_facing = sg_stage_facing();
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, m_facing, m_weave_m, vec2(sg_material.p_strength));
-    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_mirror_normal(sg_base_normal(sg_in_normal), m_facing));
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_weave);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, m_normal);  // normal
+    // normal
+    sg_shown = sg_stage_select(
+        sg_shown, 5.0,
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, m_facing, m_weave_m,
+                              vec2(sg_material.p_strength)));
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0

@@ -30,10 +30,22 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_decode_signed(
+        sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
 
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave_m, vec2(sg_material.p_strength));
-    SgGgxSurface sg_surface = SgGgxSurface(sg_material.p_tint * sg_stage_sample(t_stone, s_0, m_uv0).rgb, sg_material.p_metallic, sg_material.p_roughness, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal, sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    vec3 m_albedo = sg_material.p_tint * sg_stage_sample(t_stone, s_0, m_uv0).rgb;
+
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = m_albedo;
+    sg_surface.metallic = sg_material.p_metallic;
+    sg_surface.roughness = sg_material.p_roughness;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(
+            sg_surface,
+            sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave,
+                                  vec2(sg_material.p_strength)),
+            sg_stage_lights(sg_in_position)),
+        1.0);
 }

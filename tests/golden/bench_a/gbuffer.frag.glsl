@@ -30,11 +30,16 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_decode_signed(
+        sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
 
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave_m, vec2(sg_material.p_strength));
-    sg_out_base_color = vec4(sg_material.p_tint * sg_stage_sample(t_stone, s_0, m_uv0).rgb, 1.0);
-    sg_out_normal = vec4(m_normal, sg_material.p_roughness);
+    vec3 m_albedo = sg_material.p_tint * sg_stage_sample(t_stone, s_0, m_uv0).rgb;
+
+    sg_out_base_color = vec4(m_albedo, 1.0);
+    sg_out_normal = vec4(
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave,
+                              vec2(sg_material.p_strength)),
+        sg_material.p_roughness);
     sg_out_surface = vec4(sg_material.p_metallic, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

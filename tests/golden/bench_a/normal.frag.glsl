@@ -24,8 +24,11 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), sg_material.p_tiling)).xyz, 127.5);
+    vec3 m_weave = sg_decode_signed(
+        sg_stage_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), sg_material.p_tiling)).xyz, 127.5);
 
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave_m, vec2(sg_material.p_strength));
-    sg_out_normal = vec4(m_normal, 1.0);
+    sg_out_normal = vec4(
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, sg_stage_facing(), m_weave,
+                              vec2(sg_material.p_strength)),
+        1.0);
 }

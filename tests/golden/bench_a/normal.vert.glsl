@@ -13,9 +13,8 @@ layout(location = 2) out vec4 sg_out_tangent;
 layout(location = 4) out vec2 sg_out_uv0;
 
 void main() {
-    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);
     sg_out_normal = sg_stage_normal(sg_vertex_normal);
     sg_out_tangent = sg_stage_tangent(sg_vertex_tangent);
     sg_out_uv0 = sg_vertex_uv0;
-    gl_Position = sg_stage_clip(sg_relative_position);
+    gl_Position = sg_stage_clip(sg_stage_position(sg_vertex_position));
 }

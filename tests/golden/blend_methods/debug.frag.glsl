@@ -31,47 +31,58 @@ void main() {
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // pd: normal_blend
-    vec3 m_pd_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0);
-    vec2 m_pd_deriv = sg_deriv_from_normal_xyz(m_pd_m);
-    vec2 m_pd_m_2 = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(m_pd_m_2);
+    vec2 m_pd_deriv = sg_deriv_from_normal_xyz(
+        sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0));
+    vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(
+        sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
     SgBasis m_pd_basis = sg_basis_uv(m_frame, m_uv0);
     SgBasis m_pd_basis_2 = sg_basis_uv(m_frame, m_uv1);
-    vec3 m_pd = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis) + sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_pd = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis) +
+        sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
 
     // whiteout: normal_blend
     vec3 m_whiteout_m = sg_normal_from_deriv(m_pd_deriv);
     vec3 m_whiteout_second_m = sg_normal_from_deriv(m_pd_deriv_2);
     SgDerivPair m_whiteout_derivs = sg_combine_whiteout(m_whiteout_m, m_whiteout_second_m);
-    vec3 m_whiteout = sg_surfgrad_from_tbn(m_whiteout_derivs.first, m_pd_basis) + sg_surfgrad_from_tbn(m_whiteout_derivs.second, m_pd_basis_2);
-
-    SgVolume m_object = sg_stage_volume(sg_in_object_position);
-    float m_height = m_object.p.y;
+    vec3 m_whiteout = sg_surfgrad_from_tbn(m_whiteout_derivs.first, m_pd_basis) +
+        sg_surfgrad_from_tbn(m_whiteout_derivs.second, m_pd_basis_2);
 
     // udn: normal_blend
     SgDerivPair m_udn_derivs = sg_combine_udn(m_whiteout_m, m_whiteout_second_m);
-    vec3 m_udn = sg_surfgrad_from_tbn(m_udn_derivs.first, m_pd_basis) + sg_surfgrad_from_tbn(m_udn_derivs.second, m_pd_basis_2);
-
-    vec3 m_mix_surfgrad = sg_combine_mix(sg_combine_mix(m_pd, m_whiteout, sg_smoothstep(-0.27, -0.25, m_height)), m_udn, sg_smoothstep(-0.11, -0.09, m_height));
+    vec3 m_udn = sg_surfgrad_from_tbn(m_udn_derivs.first, m_pd_basis) +
+        sg_surfgrad_from_tbn(m_udn_derivs.second, m_pd_basis_2);
 
     // weighted: normal_blend
-    vec3 m_weighted = sg_surfgrad_from_tbn(0.5 * m_pd_deriv, m_pd_basis) + sg_surfgrad_from_tbn(sg_material.p_second * m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_weighted = sg_surfgrad_from_tbn(0.5 * m_pd_deriv, m_pd_basis) +
+        sg_surfgrad_from_tbn(sg_material.p_second * m_pd_deriv_2, m_pd_basis_2);
 
     // rnm: normal_blend
-    vec2 m_rnm_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5);
-    vec2 m_rnm_deriv = sg_deriv_from_normal_xyz(sg_combine_rnm(m_whiteout_m, sg_normal_from_deriv(sg_deriv_from_normal_xy(m_rnm_m))));
-    vec3 m_rnm = sg_surfgrad_from_tbn(m_rnm_deriv, m_pd_basis);
+    vec3 m_rnm = sg_surfgrad_from_tbn(
+        sg_deriv_from_normal_xyz(sg_combine_rnm(
+            m_whiteout_m,
+            sg_normal_from_deriv(sg_deriv_from_normal_xy(sg_decode_signed(
+                sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5))))),
+        m_pd_basis);
 
-    vec3 m_mix_surfgrad_2 = sg_combine_mix(sg_combine_mix(m_mix_surfgrad, m_weighted, sg_smoothstep(0.07, 0.09, m_height)), m_rnm, sg_smoothstep(0.25, 0.27, m_height));
+    vec3 m_gradient = sg_combine_mix(
+        sg_combine_mix(
+            sg_combine_mix(sg_combine_mix(m_pd, m_whiteout, sg_smoothstep(-0.27, -0.25, m_object.p.y)), m_udn,
+                           sg_smoothstep(-0.11, -0.09, m_object.p.y)),
+            m_weighted,
+            sg_smoothstep(0.07, 0.09, m_object.p.y)),
+        m_rnm,
+        sg_smoothstep(0.25, 0.27, m_object.p.y));
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_mix_surfgrad_2);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_mix_surfgrad_2));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1

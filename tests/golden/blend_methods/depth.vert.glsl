@@ -7,6 +7,5 @@
 layout(location = 0) in vec3 sg_vertex_position;
 
 void main() {
-    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);
-    gl_Position = sg_stage_clip(sg_relative_position);
+    gl_Position = sg_stage_clip(sg_stage_position(sg_vertex_position));
 }

@@ -60,30 +60,31 @@ layout(location = 0) out vec4 sg_out_value;
 void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-
-    // dents: custom
-    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, -0.12 * sg_stage_gradient_from_object(c_dents(m_object, 3.0, sg_material.p_power)));
-
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // dents: custom
+    vec3 m_dents = sg_surfgrad_from_volume(
+        m_base_normal, -0.12 * sg_stage_gradient_from_object(c_dents(m_object, 3.0, sg_material.p_power)));
 
     // weave: custom
     SgUv m_weave_uv = sg_uv_transform(m_uv1, vec2(6.0, 4.0), 0.5235988, vec2(0.0));
-    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes(t_weave, s_0, m_weave_uv), sg_basis_uv(m_frame, m_weave_uv));
-
-    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes(t_weave, s_0, m_weave_uv),
+                                        sg_basis_uv(m_frame, m_weave_uv));
 
     // stones: custom
     vec3 m_stones = 0.05 * c_stones(m_frame, t_pebble, s_0, m_uv0, vec2(4.0, 2.0));
 
-    vec3 m_add_surfgrad = m_dents + m_weave + m_stones;
+    vec3 m_gradient = m_dents + m_weave + m_stones;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_add_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1

@@ -1,5 +1,6 @@
-// bumps of one's own: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
-// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+// bumps of one's own: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
 //   position           relative world space (origin at the camera), world units
 //   position_dx        its change per pixel to the right
 //   position_dy        its change per pixel downward
@@ -60,66 +61,66 @@ vec3 c_stones_custom(SgFrame frame, texture2D heights, sampler heights_sampler, 
 #define SG_MATERIAL_TYPES
 
 struct SgMaterialInputs {
-    vec3 position;                  // relative world space (origin at the camera), world units
-    vec3 position_dx;               // its change per pixel to the right
-    vec3 position_dy;               // its change per pixel downward
-    vec3 normal;                    // interpolated vertex normal, world axes, any length
-    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
-    vec4 color;                     // interpolated vertex colour, linear
-    float facing;                   // +1 on front faces, -1 on back faces
-    float time;                     // seconds
-    vec3 object_position;           // object space, object units
-    vec3 object_position_dx;        // its change per pixel to the right
-    vec3 object_position_dy;        // its change per pixel downward
-    vec3 world_position;            // absolute world space, world units
-    vec3 world_position_dx;         // its change per pixel to the right
-    vec3 world_position_dy;         // its change per pixel downward
-    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
-    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
-    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
-    vec3 object_origin;             // the object's origin, relative world space
-    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
-    vec3 base_normal_dy;            // its change per pixel downward
-    vec3 camera_position;           // absolute world space
-    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
-    vec4 screen_y;                  // its second column
-    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
-    vec2 uv0;                       // texture coordinate 0, t downward
-    vec2 uv0_dx;                    // its change per pixel to the right
-    vec2 uv0_dy;                    // its change per pixel downward
-    vec2 uv1;                       // texture coordinate 1, t downward
-    vec2 uv1_dx;                    // its change per pixel to the right
-    vec2 uv1_dy;                    // its change per pixel downward
-    vec2 uv2;                       // texture coordinate 2, t downward
-    vec2 uv2_dx;                    // its change per pixel to the right
-    vec2 uv2_dy;                    // its change per pixel downward
-    vec2 uv3;                       // texture coordinate 3, t downward
-    vec2 uv3_dx;                    // its change per pixel to the right
-    vec2 uv3_dy;                    // its change per pixel downward
-    vec2 uv4;                       // texture coordinate 4, t downward
-    vec2 uv4_dx;                    // its change per pixel to the right
-    vec2 uv4_dy;                    // its change per pixel downward
-    vec2 uv5;                       // texture coordinate 5, t downward
-    vec2 uv5_dx;                    // its change per pixel to the right
-    vec2 uv5_dy;                    // its change per pixel downward
-    vec2 uv6;                       // texture coordinate 6, t downward
-    vec2 uv6_dx;                    // its change per pixel to the right
-    vec2 uv6_dy;                    // its change per pixel downward
-    vec2 uv7;                       // texture coordinate 7, t downward
-    vec2 uv7_dx;                    // its change per pixel to the right
-    vec2 uv7_dy;                    // its change per pixel downward
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
 };
 
 struct SgMaterialResult {
-    vec3 normal;                    // resolved unit normal, world axes
-    vec3 base_color;                // linear
-    float metallic;                 // 0 to 1
-    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
-    float occlusion;                // 1: open
-    vec3 emission;                  // linear radiance
-    float opacity;                  // 0 to 1
-    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
 };
 
 #endif
@@ -128,26 +129,33 @@ struct SgMaterialParameters_custom {
     float p_power;
 };
 
-SgMaterialResult sg_material_custom(SgMaterialInputs sg_inputs, SgMaterialParameters_custom sg_material, texture2D t_weave, texture2D t_pebble, sampler s_0) {
-    SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
-
-    // dents: custom
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), c_dents_custom(m_object, 3.0, sg_material.p_power));
-
+SgMaterialResult sg_material_custom(SgMaterialInputs sg_inputs, SgMaterialParameters_custom sg_material,
+                                    texture2D t_weave, texture2D t_pebble, sampler s_0) {
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy,
+                               m_base_normal);
 
     // dents: custom
-    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, -0.12 * m_dents_gradient_from_object);
-
-    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+    vec3 m_dents = sg_surfgrad_from_volume(
+        m_base_normal,
+        -0.12 * sg_gradient_to_world(
+            mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
+            c_dents_custom(
+                SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx,
+                         sg_inputs.object_position_dy),
+                3.0, sg_material.p_power)));
 
     // weave: custom
-    SgUv m_weave_uv = sg_uv_transform(SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy), vec2(6.0, 4.0), 0.5235988, vec2(0.0));
-    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes_custom(t_weave, s_0, m_weave_uv), sg_basis_uv(m_frame, m_weave_uv));
+    SgUv m_weave_uv = sg_uv_transform(SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy), vec2(6.0, 4.0),
+                                      0.5235988, vec2(0.0));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes_custom(t_weave, s_0, m_weave_uv),
+                                        sg_basis_uv(m_frame, m_weave_uv));
 
     // stones: custom
-    vec3 m_stones_stones = c_stones_custom(m_frame, t_pebble, s_0, SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy), vec2(4.0, 2.0));
-    vec3 m_stones = 0.05 * m_stones_stones;
+    vec3 m_stones = 0.05 * c_stones_custom(m_frame, t_pebble, s_0,
+                                           SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy),
+                                           vec2(4.0, 2.0));
 
-    return SgMaterialResult(sg_resolve(m_base_normal, m_dents + m_weave + m_stones), vec3(0.5, 0.42, 0.33), 0.0, 0.6, 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve(m_base_normal, m_dents + m_weave + m_stones), vec3(0.5, 0.42, 0.33),
+                            0.0, 0.6, 1.0, vec3(0.0), 1.0, 0.0);
 }

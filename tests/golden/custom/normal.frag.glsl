@@ -57,19 +57,19 @@ layout(location = 12) in vec3 sg_in_object_position;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    // dents: custom
-    vec3 m_dents_gradient_from_object = sg_stage_gradient_from_object(c_dents(sg_stage_volume(sg_in_object_position), 3.0, sg_material.p_power));
-
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
 
     // dents: custom
-    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, -0.12 * m_dents_gradient_from_object);
-
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    vec3 m_dents = sg_surfgrad_from_volume(
+        m_base_normal,
+        -0.12 * sg_stage_gradient_from_object(
+            c_dents(sg_stage_volume(sg_in_object_position), 3.0, sg_material.p_power)));
 
     // weave: custom
     SgUv m_weave_uv = sg_uv_transform(sg_stage_uv(sg_in_uv1), vec2(6.0, 4.0), 0.5235988, vec2(0.0));
-    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes(t_weave, s_0, m_weave_uv), sg_basis_uv(m_frame, m_weave_uv));
+    vec3 m_weave = sg_surfgrad_from_tbn(0.3 * c_slopes(t_weave, s_0, m_weave_uv),
+                                        sg_basis_uv(m_frame, m_weave_uv));
 
     // stones: custom
     vec3 m_stones = 0.05 * c_stones(m_frame, t_pebble, s_0, sg_stage_uv(sg_in_uv0), vec2(4.0, 2.0));

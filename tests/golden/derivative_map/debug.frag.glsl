@@ -25,8 +25,9 @@ void main() {
 
     // layer 1: derivative_map
     SgUv m_layer_1_uv = sg_uv_transform(m_uv0, vec2(8.0, 4.0), 0.5235988, vec2(0.0));
-    vec2 m_layer_1_deriv = sg_deriv_from_map(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_layer_1_uv).xy, 127.5), 4.0);
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(m_layer_1_deriv, sg_basis_uv(m_frame, m_layer_1_uv));
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(
+        sg_deriv_from_map(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_layer_1_uv).xy, 127.5), 4.0),
+        sg_basis_uv(m_frame, m_layer_1_uv));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position

@@ -19,12 +19,12 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
 
     // layer 1: derivative_map
     SgUv m_layer_1_uv = sg_uv_transform(sg_stage_uv(sg_in_uv0), vec2(8.0, 4.0), 0.5235988, vec2(0.0));
-    vec2 m_layer_1_deriv = sg_deriv_from_map(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_layer_1_uv).xy, 127.5), 4.0);
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(m_layer_1_deriv, sg_basis_uv(m_frame, m_layer_1_uv));
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(
+        sg_deriv_from_map(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_layer_1_uv).xy, 127.5), 4.0),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_layer_1_uv));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_layer_1), 1.0);
 }

@@ -31,30 +31,44 @@ layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 0) out vec4 sg_out_color;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-
-    // ramps: normal_map
-    vec2 m_ramps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_ramp, s_0, m_uv0).xyz, 127.5)));
-    vec3 m_ramps = sg_surfgrad_from_tbn(0.5 * m_ramps_deriv, m_basis_vertex);
-
     vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
+
+    // ramps: normal_map
+    vec3 m_ramps = sg_surfgrad_from_tbn(
+        0.5 * sg_deriv_green_up(
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_ramp, s_0, m_uv0).xyz, 127.5))),
+        m_basis_vertex);
 
     // pebbles: normal_map
-    vec2 m_pebbles_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(3.0))).xyz, 127.0));
-    vec3 m_pebbles = sg_surfgrad_from_tbn(sg_material.p_pebbles * sg_deriv_green_up(m_pebbles_deriv), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_pebbles = sg_surfgrad_from_tbn(
+        sg_material.p_pebbles * sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(3.0))).xyz, 127.0))),
+        sg_basis_uv(m_frame, m_uv0));
 
     // grain: normal_map
     SgUv m_grain_uv = sg_uv_scale(sg_stage_uv(sg_in_uv1), sg_material.p_grain);
-    vec2 m_grain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_grain_uv).xyz, 128.0));
-    vec3 m_grain = sg_surfgrad_from_tbn(-0.4 * m_grain_deriv, sg_basis_uv(m_frame, m_grain_uv));
+    vec3 m_grain = sg_surfgrad_from_tbn(
+        -0.4 *
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_weave, s_0, m_grain_uv).xyz, 128.0)),
+        sg_basis_uv(m_frame, m_grain_uv));
 
     // scratches: normal_map
-    vec2 m_scratches_m = sg_decode_signed(sg_stage_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5);
-    vec3 m_scratches = sg_surfgrad_from_tbn(0.35 * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_mirror(m_basis_vertex, vec2(-4.0, 2.0)));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        0.35 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5)),
+        sg_basis_mirror(m_basis_vertex, vec2(-4.0, 2.0)));
 
-    SgGgxSurface sg_surface = SgGgxSurface(sg_material.p_tint, 0.0, 0.55, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches), sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = sg_material.p_tint;
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.55;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
 }

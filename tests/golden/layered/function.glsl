@@ -1,5 +1,6 @@
-// layered: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
-// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+// layered: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
 //   position           relative world space (origin at the camera), world units
 //   position_dx        its change per pixel to the right
 //   position_dy        its change per pixel downward
@@ -23,66 +24,66 @@
 #define SG_MATERIAL_TYPES
 
 struct SgMaterialInputs {
-    vec3 position;                  // relative world space (origin at the camera), world units
-    vec3 position_dx;               // its change per pixel to the right
-    vec3 position_dy;               // its change per pixel downward
-    vec3 normal;                    // interpolated vertex normal, world axes, any length
-    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
-    vec4 color;                     // interpolated vertex colour, linear
-    float facing;                   // +1 on front faces, -1 on back faces
-    float time;                     // seconds
-    vec3 object_position;           // object space, object units
-    vec3 object_position_dx;        // its change per pixel to the right
-    vec3 object_position_dy;        // its change per pixel downward
-    vec3 world_position;            // absolute world space, world units
-    vec3 world_position_dx;         // its change per pixel to the right
-    vec3 world_position_dy;         // its change per pixel downward
-    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
-    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
-    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
-    vec3 object_origin;             // the object's origin, relative world space
-    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
-    vec3 base_normal_dy;            // its change per pixel downward
-    vec3 camera_position;           // absolute world space
-    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
-    vec4 screen_y;                  // its second column
-    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
-    vec2 uv0;                       // texture coordinate 0, t downward
-    vec2 uv0_dx;                    // its change per pixel to the right
-    vec2 uv0_dy;                    // its change per pixel downward
-    vec2 uv1;                       // texture coordinate 1, t downward
-    vec2 uv1_dx;                    // its change per pixel to the right
-    vec2 uv1_dy;                    // its change per pixel downward
-    vec2 uv2;                       // texture coordinate 2, t downward
-    vec2 uv2_dx;                    // its change per pixel to the right
-    vec2 uv2_dy;                    // its change per pixel downward
-    vec2 uv3;                       // texture coordinate 3, t downward
-    vec2 uv3_dx;                    // its change per pixel to the right
-    vec2 uv3_dy;                    // its change per pixel downward
-    vec2 uv4;                       // texture coordinate 4, t downward
-    vec2 uv4_dx;                    // its change per pixel to the right
-    vec2 uv4_dy;                    // its change per pixel downward
-    vec2 uv5;                       // texture coordinate 5, t downward
-    vec2 uv5_dx;                    // its change per pixel to the right
-    vec2 uv5_dy;                    // its change per pixel downward
-    vec2 uv6;                       // texture coordinate 6, t downward
-    vec2 uv6_dx;                    // its change per pixel to the right
-    vec2 uv6_dy;                    // its change per pixel downward
-    vec2 uv7;                       // texture coordinate 7, t downward
-    vec2 uv7_dx;                    // its change per pixel to the right
-    vec2 uv7_dy;                    // its change per pixel downward
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
 };
 
 struct SgMaterialResult {
-    vec3 normal;                    // resolved unit normal, world axes
-    vec3 base_color;                // linear
-    float metallic;                 // 0 to 1
-    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
-    float occlusion;                // 1: open
-    vec3 emission;                  // linear radiance
-    float opacity;                  // 0 to 1
-    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
 };
 
 #endif
@@ -93,29 +94,40 @@ struct SgMaterialParameters_layered {
     vec3 p_tint;
 };
 
-SgMaterialResult sg_material_layered(SgMaterialInputs sg_inputs, SgMaterialParameters_layered sg_material, texture2D t_ramp, texture2D t_pebble, texture2D t_weave, texture2D t_scratch, sampler s_0, sampler s_1) {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent);
+SgMaterialResult sg_material_layered(SgMaterialInputs sg_inputs, SgMaterialParameters_layered sg_material,
+                                     texture2D t_ramp, texture2D t_pebble, texture2D t_weave,
+                                     texture2D t_scratch, sampler s_0, sampler s_1) {
     SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
+    vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_inputs.normal), sg_inputs.facing);
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy,
+                               m_base_normal);
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_inputs.normal, sg_inputs.tangent);
 
     // ramps: normal_map
-    vec2 m_ramps_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_uv0).xyz, 127.5)));
-    vec3 m_ramps = sg_surfgrad_from_tbn(0.5 * m_ramps_deriv, m_basis_vertex);
-
-    vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_inputs.normal), sg_inputs.facing);
-    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
+    vec3 m_ramps = sg_surfgrad_from_tbn(
+        0.5 * sg_deriv_green_up(
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_uv0).xyz, 127.5))),
+        m_basis_vertex);
 
     // pebbles: normal_map
-    vec2 m_pebbles_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(3.0))).xyz, 127.0));
-    vec3 m_pebbles = sg_surfgrad_from_tbn(sg_material.p_pebbles * sg_deriv_green_up(m_pebbles_deriv), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_pebbles = sg_surfgrad_from_tbn(
+        sg_material.p_pebbles * sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(3.0))).xyz, 127.0))),
+        sg_basis_uv(m_frame, m_uv0));
 
     // grain: normal_map
-    SgUv m_grain_uv = sg_uv_scale(SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy), sg_material.p_grain);
-    vec2 m_grain_scale_deriv = -0.4 * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_uv).xyz, 128.0));
-    vec3 m_grain = sg_surfgrad_from_tbn(m_grain_scale_deriv, sg_basis_uv(m_frame, m_grain_uv));
+    SgUv m_grain_uv = sg_uv_scale(SgUv(sg_inputs.uv1, sg_inputs.uv1_dx, sg_inputs.uv1_dy),
+                                  sg_material.p_grain);
+    vec3 m_grain = sg_surfgrad_from_tbn(
+        -0.4 * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_uv).xyz, 128.0)),
+        sg_basis_uv(m_frame, m_grain_uv));
 
     // scratches: normal_map
-    vec2 m_scratches_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5));
-    vec3 m_scratches = sg_surfgrad_from_tbn(0.35 * m_scratches_deriv, sg_basis_mirror(m_basis_vertex, vec2(-4.0, 2.0)));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        0.35 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_sample(t_scratch, s_1, sg_uv_scale(m_uv0, vec2(-4.0, 2.0))).xy, 127.5)),
+        sg_basis_mirror(m_basis_vertex, vec2(-4.0, 2.0)));
 
-    return SgMaterialResult(sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches), sg_material.p_tint, 0.0, 0.55, 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve(m_base_normal, m_ramps + m_pebbles + m_grain + m_scratches),
+                            sg_material.p_tint, 0.0, 0.55, 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -16,6 +16,7 @@ layout(location = 4) in vec2 sg_in_uv0;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-    vec4 m_texel = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
-    if (1.0 - m_texel.x * sg_material.p_eaten < 0.58) discard;
+    float m_hole = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x;
+
+    if (1.0 - m_hole * sg_material.p_eaten < 0.58) discard;
 }

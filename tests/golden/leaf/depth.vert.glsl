@@ -9,7 +9,6 @@ layout(location = 4) in vec2 sg_vertex_uv0;
 layout(location = 4) out vec2 sg_out_uv0;
 
 void main() {
-    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);
     sg_out_uv0 = sg_vertex_uv0;
-    gl_Position = sg_stage_clip(sg_relative_position);
+    gl_Position = sg_stage_clip(sg_stage_position(sg_vertex_position));
 }

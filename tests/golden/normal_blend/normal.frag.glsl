@@ -30,18 +30,25 @@ void main() {
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
     // scratched: normal_blend
-    vec3 m_scratched_m = sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz, 127.5);
-    vec2 m_scratched_m_2 = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_scratched_m_3 = sg_normal_from_deriv(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_scratched_m)));
-    SgDerivPair m_scratched_derivs = sg_combine_whiteout(m_scratched_m_3, sg_normal_from_deriv(sg_deriv_from_normal_xy(m_scratched_m_2)));
-    vec3 m_scratched_surfgrad_from_tbn = sg_surfgrad_from_tbn(m_scratched_derivs.first, sg_basis_vertex(sg_in_normal, sg_in_tangent));
-    vec3 m_scratched = m_scratched_surfgrad_from_tbn + sg_surfgrad_from_tbn(m_scratched_derivs.second, sg_basis_uv(m_frame, m_uv1));
+    vec3 m_scratched_m = sg_normal_from_deriv(sg_deriv_green_up(sg_deriv_from_normal_xyz(
+        sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz, 127.5))));
+    SgDerivPair m_scratched_derivs = sg_combine_whiteout(
+        m_scratched_m,
+        sg_normal_from_deriv(sg_deriv_from_normal_xy(sg_decode_signed(
+            sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5))));
+    vec3 m_scratched =
+        sg_surfgrad_from_tbn(m_scratched_derivs.first, sg_basis_vertex(sg_in_normal, sg_in_tangent)) +
+        sg_surfgrad_from_tbn(m_scratched_derivs.second, sg_basis_uv(m_frame, m_uv1));
 
     // covered: normal_blend
-    vec3 m_covered_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 5.0))).xyz, 128.0);
-    vec3 m_covered_m_2 = sg_combine_rnm(m_scratched_m_3, sg_normal_from_deriv(sg_deriv_from_normal_xyz(m_covered_m)));
-    vec3 m_covered = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(m_covered_m_2), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_covered = sg_surfgrad_from_tbn(
+        sg_deriv_from_normal_xyz(sg_combine_rnm(
+            m_scratched_m,
+            sg_normal_from_deriv(sg_deriv_from_normal_xyz(sg_decode_signed(
+                sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 5.0))).xyz, 128.0))))),
+        sg_basis_uv(m_frame, m_uv0));
 
-    vec3 m_mix_surfgrad = sg_combine_mix(m_scratched, m_covered, sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 2.0))).x);
-    sg_out_normal = vec4(sg_resolve(m_base_normal, m_mix_surfgrad), 1.0);
+    float m_patch = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 2.0))).x;
+
+    sg_out_normal = vec4(sg_resolve(m_base_normal, sg_combine_mix(m_scratched, m_covered, m_patch)), 1.0);
 }

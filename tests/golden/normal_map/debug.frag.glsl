@@ -24,8 +24,10 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // layer 1: normal_map
-    vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(m_layer_1_deriv), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5))),
+        sg_basis_uv(m_frame, m_uv0));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position

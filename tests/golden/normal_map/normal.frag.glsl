@@ -19,12 +19,13 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // layer 1: normal_map
-    vec2 m_layer_1_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5));
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(m_layer_1_deriv), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(2.0))).xyz, 127.5))),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_layer_1), 1.0);
 }

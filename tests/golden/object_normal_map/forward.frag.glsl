@@ -28,16 +28,24 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // baked: object_normal_map
-    vec3 m_baked_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_stage_sample(t_baked, s_0, m_uv0).xyz, 127.5));
-    vec3 m_baked = sg_surfgrad_from_normal(m_base_normal, m_baked_stored_normal);
-
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    vec3 m_baked = sg_surfgrad_from_normal(
+        m_base_normal,
+        sg_stage_normal_from_object(sg_decode_signed(sg_stage_sample(t_baked, s_0, m_uv0).xyz, 127.5)));
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(0.2 * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        0.2 * sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0)),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
-    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.55, 0.5, 0.42), 0.0, 0.6, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_baked + m_weave), sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = vec3(0.55, 0.5, 0.42);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.6;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_baked + m_weave),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
 }

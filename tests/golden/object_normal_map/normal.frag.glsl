@@ -26,14 +26,15 @@ void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // baked: object_normal_map
-    vec3 m_baked_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_stage_sample(t_baked, s_0, m_uv0).xyz, 127.5));
-    vec3 m_baked = sg_surfgrad_from_normal(m_base_normal, m_baked_stored_normal);
-
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    vec3 m_baked = sg_surfgrad_from_normal(
+        m_base_normal,
+        sg_stage_normal_from_object(sg_decode_signed(sg_stage_sample(t_baked, s_0, m_uv0).xyz, 127.5)));
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(0.2 * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        0.2 * sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_weave, s_1, sg_uv_scale(m_uv0, vec2(16.0, 8.0))).xyz, 128.0)),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_baked + m_weave), 1.0);
 }

@@ -19,12 +19,13 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // weave: normal_map
-    vec2 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).wyzw.xy, 127.5);
-    vec3 m_weave = sg_surfgrad_from_tbn(0.7 * sg_deriv_from_normal_xy(m_weave_m), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        0.7 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).wy, 127.5)),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_weave), 1.0);
 }

@@ -38,20 +38,28 @@ void main() {
 
     // parallax: steps
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
-    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.d_parallax_multiply * sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy, int(4.0));
+    vec2 m_parallax_offset = sg_parallax_steps(
+        t_planes, s_0,
+        vec2(2.007874, -1.007874),
+        m_parallax_uv,
+        sg_material.d_parallax_multiply *
+            sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy,
+        4);
     SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
-    float m_parallax_height = sg_parallax_height(t_planes, s_0, vec2(sg_material.d_parallax_multiply_2, sg_material.d_parallax_multiply_3), m_parallax_parallax_uv.st, sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_planes, s_0)));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
-    vec3 m_parallax = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_height);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
-    vec3 m_parallax_moved_normal_2 = sg_mirror_normal(m_parallax_moved_normal, m_facing);
+    vec3 m_parallax_moved_normal = sg_mirror_normal(
+        sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy,
+                           m_parallax_pixels),
+        m_facing);
 
     SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_moved_uv0 = sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy);
 
     // stones: normal_map
-    vec3 m_stones_m = sg_decode_signed(sg_sample(t_pebble, s_0, sg_uv_scale(m_moved_uv0, vec2(5.0, 2.0))).xyz, 127.0);
-    vec3 m_stones = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_stones_m)), sg_basis_resolved(m_basis_vertex, m_parallax_moved_normal_2));
+    vec3 m_stones = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_sample(t_pebble, s_0, sg_uv_scale(m_moved_uv0, vec2(5.0, 2.0))).xyz, 127.0))),
+        sg_basis_resolved(m_basis_vertex, m_parallax_moved_normal));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -59,14 +67,22 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_parallax_moved_normal_2, m_stones));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_parallax_moved_normal, m_stones));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
     sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax);  // moved-position
+    // moved-position
+    sg_shown = sg_stage_select(
+        sg_shown, 12.0,
+        sg_parallax_position(
+            m_frame, m_parallax_pixels,
+            sg_parallax_height(t_planes, s_0,
+                               vec2(sg_material.d_parallax_multiply_2, sg_material.d_parallax_multiply_3),
+                               m_parallax_parallax_uv.st,
+                               sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_planes, s_0)))));
     sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
     sg_out_value = sg_shown;
 }

@@ -41,18 +41,31 @@ void main() {
 
     // parallax: steps
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
-    vec2 m_parallax_offset = sg_parallax_steps(t_planes, s_0, vec2(2.007874, -1.007874), m_parallax_uv, sg_material.d_parallax_multiply * sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy, int(4.0));
-    vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
-    vec3 m_parallax_moved_normal_2 = sg_mirror_normal(m_parallax_moved_normal, m_facing);
+    vec2 m_parallax_pixels = sg_parallax_pixels(
+        m_parallax_uv,
+        sg_parallax_steps(
+            t_planes, s_0,
+            vec2(2.007874, -1.007874),
+            m_parallax_uv,
+            sg_material.d_parallax_multiply *
+                sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy,
+            4));
+    vec3 m_parallax_moved_normal = sg_mirror_normal(
+        sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy,
+                           m_parallax_pixels),
+        m_facing);
 
     // stones: normal_map
-    SgUv m_stones_uv = sg_uv_scale(sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy), vec2(5.0, 2.0));
-    vec2 m_stones_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_stones_uv).xyz, 127.0));
-    vec3 m_stones = sg_surfgrad_from_tbn(sg_deriv_green_up(m_stones_deriv), sg_basis_resolved(sg_basis_vertex(sg_in_normal, sg_in_tangent), m_parallax_moved_normal_2));
+    SgUv m_stones_uv = sg_uv_scale(
+        sg_parallax_uv(m_uv0, m_parallax_pixels.x * m_uv0.dx + m_parallax_pixels.y * m_uv0.dy),
+        vec2(5.0, 2.0));
+    vec3 m_stones = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_stones_uv).xyz, 127.0))),
+        sg_basis_resolved(sg_basis_vertex(sg_in_normal, sg_in_tangent), m_parallax_moved_normal));
 
     sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_stones_uv).rgb, 1.0);
-    sg_out_normal = vec4(sg_resolve(m_parallax_moved_normal_2, m_stones), 0.8);
+    sg_out_normal = vec4(sg_resolve(m_parallax_moved_normal, m_stones), 0.8);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

@@ -10,8 +10,7 @@ layout(location = 1) out vec3 sg_out_normal;
 layout(location = 12) out vec3 sg_out_object_position;
 
 void main() {
-    vec3 sg_relative_position = sg_stage_position(sg_vertex_position);
     sg_out_normal = sg_stage_normal(sg_vertex_normal);
     sg_out_object_position = sg_vertex_position;
-    gl_Position = sg_stage_clip(sg_relative_position);
+    gl_Position = sg_stage_clip(sg_stage_position(sg_vertex_position));
 }

@@ -25,29 +25,33 @@ layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-
-    // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(m_weave_m), m_basis_vertex);
-
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
+
+    // weave: normal_map
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(10.0, 4.0))).xyz, 128.0)),
+        m_basis_vertex);
 
     // scratches: normal_map
-    vec2 m_scratches_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_scratches = sg_surfgrad_from_tbn(sg_material.p_scratch_depth * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame, m_uv1));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        sg_material.p_scratch_depth * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5)),
+        sg_basis_uv(m_frame, m_uv1));
 
-    vec3 m_add_surfgrad = m_weave + m_scratches;
+    vec3 m_gradient = m_weave + m_scratches;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_add_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0

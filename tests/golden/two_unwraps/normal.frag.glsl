@@ -24,17 +24,20 @@ layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), vec2(10.0, 4.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_deriv_from_normal_xyz(m_weave_m), sg_basis_vertex(sg_in_normal, sg_in_tangent));
-
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
+    // weave: normal_map
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_stage_sample(t_weave, s_0, sg_uv_scale(sg_stage_uv(sg_in_uv0), vec2(10.0, 4.0))).xyz, 128.0)),
+        sg_basis_vertex(sg_in_normal, sg_in_tangent));
+
     // scratches: normal_map
-    vec2 m_scratches_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_scratches = sg_surfgrad_from_tbn(sg_material.p_scratch_depth * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame, m_uv1));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        sg_material.p_scratch_depth * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5)),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv1));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_weave + m_scratches), 1.0);
 }

@@ -25,20 +25,26 @@ layout(location = 0) out vec4 sg_out_color;
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
-
-    // wall: normal_blend
-    vec3 m_wall_m = sg_decode_signed(sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(6.0, 4.0))).xyz, 127.5);
-    vec3 m_wall_m_2 = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 8.0))).xyz, 128.0);
-
     float m_worn = sg_stage_sample(t_patches, s_0, sg_uv_scale(m_uv0, vec2(3.0, 2.0))).x;
+    float m_left = 1.0 - m_worn;
 
     // wall: normal_blend
-    vec3 m_wall_surfgrad_from_tbn = sg_surfgrad_from_tbn((1.0 - m_worn) * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_wall_m)), sg_basis_vertex(sg_in_normal, sg_in_tangent));
-    vec3 m_wall_surfgrad_from_tbn_2 = sg_surfgrad_from_tbn(m_worn * sg_deriv_from_normal_xyz(m_wall_m_2), sg_basis_uv(m_frame, m_uv0));
-    vec3 m_wall = m_wall_surfgrad_from_tbn + m_wall_surfgrad_from_tbn_2;
+    vec3 m_wall =
+        sg_surfgrad_from_tbn(
+            m_left * sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+                sg_stage_sample(t_brick, s_0, sg_uv_scale(m_uv0, vec2(6.0, 4.0))).xyz, 127.5))),
+            sg_basis_vertex(sg_in_normal, sg_in_tangent)) +
+        sg_surfgrad_from_tbn(
+            m_worn * sg_deriv_from_normal_xyz(sg_decode_signed(
+                sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 8.0))).xyz, 128.0)),
+            sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
-    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.45, 0.2, 0.13), vec3(0.3, 0.33, 0.42), m_worn), 0.0, mix(0.7, 0.9, m_worn), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_wall), sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = mix(vec3(0.45, 0.2, 0.13), vec3(0.3, 0.33, 0.42), m_worn);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = mix(0.7, 0.9, m_worn);
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve(m_base_normal, m_wall), sg_stage_lights(sg_in_position)), 1.0);
 }

@@ -19,21 +19,25 @@ layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
 
     // bump_normal: normal_map
     vec3 m_bump_normal_m = sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5);
-    vec3 m_bump_normal = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bump_normal_m)), m_basis_vertex);
+    vec3 m_bump_normal = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bump_normal_m)),
+                                              m_basis_vertex);
 
-    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_bump_normal);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal_m, vec2(1.0, -1.0)));  // normal
+    // normal
+    sg_shown = sg_stage_select(
+        sg_shown, 5.0,
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal_m, vec2(1.0, -1.0)));
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0

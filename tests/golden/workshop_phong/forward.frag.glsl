@@ -25,9 +25,22 @@ layout(location = 0) out vec4 sg_out_color;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5), vec2(1.0, -1.0));
+
+    // bump_normal: normal_map
+    vec3 m_bump_normal = sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5);
+
     vec3 m_color = sg_stage_sample(t_color_map, s_0, m_uv0).rgb;
-    SgPhongSurface sg_surface = SgPhongSurface(m_color, m_color * sg_material.p_specular_intensity, sg_material.p_specular_power, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_phong_radiance(sg_surface, m_normal, sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+
+    SgPhongSurface sg_surface;
+    sg_surface.base_color = m_color;
+    sg_surface.specular = m_color * sg_material.p_specular_intensity;
+    sg_surface.shininess = sg_material.p_specular_power;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_phong_radiance(
+            sg_surface,
+            sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal, vec2(1.0, -1.0)),
+            sg_stage_lights(sg_in_position)),
+        1.0);
 }

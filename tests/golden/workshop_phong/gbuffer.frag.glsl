@@ -25,9 +25,16 @@ layout(location = 3) out vec4 sg_out_emission;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5), vec2(1.0, -1.0));
-    sg_out_base_color = vec4(sg_stage_sample(t_color_map, s_0, m_uv0).rgb, 1.0);
-    sg_out_normal = vec4(m_normal, sg_material.d_power);
+
+    // bump_normal: normal_map
+    vec3 m_bump_normal = sg_decode_signed(sg_stage_sample(t_normal_map, s_0, m_uv0).xyz, 127.5);
+
+    vec3 m_color = sg_stage_sample(t_color_map, s_0, m_uv0).rgb;
+
+    sg_out_base_color = vec4(m_color, 1.0);
+    sg_out_normal = vec4(
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal, vec2(1.0, -1.0)),
+        sg_material.d_power);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

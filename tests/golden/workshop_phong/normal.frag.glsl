@@ -15,6 +15,10 @@ layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, sg_decode_signed(sg_stage_sample(t_normal_map, s_0, sg_stage_uv(sg_in_uv0)).xyz, 127.5), vec2(1.0, -1.0));
-    sg_out_normal = vec4(m_normal, 1.0);
+    // bump_normal: normal_map
+    vec3 m_bump_normal = sg_decode_signed(sg_stage_sample(t_normal_map, s_0, sg_stage_uv(sg_in_uv0)).xyz,
+                                          127.5);
+
+    sg_out_normal = vec4(
+        sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal, vec2(1.0, -1.0)), 1.0);
 }

@@ -177,6 +177,13 @@ const RuleCase kCases[] = {
      "%16 = channel 0 %15 : Scalar\n"
      "output gradient = %13\n"
      "output metallic = %16\n"},
+    {"drift_from_nowhere",
+     "%8 = constant 0 0 : Vec2\n%9 = constant 0.5 2 : Vec2\n%10 = time : Scalar\n"
+     "%11 = drift %8 %9 %10 : Vec2 'drift'\n%12 = uv_scale %4 %11 : Uv\n"
+     "%13 = sample 0 %12 : Texel\n%14 = channel 0 %13 : Scalar\noutput metallic = %14\n",
+     "%0 = uv_set 0 : Uv\n%1 = constant 0.5 2 : Vec2\n%2 = time : Scalar\n"
+     "%3 = travel %2 %1 : Vec2 'drift'\n%4 = uv_scale %0 %3 : Uv\n%5 = sample 0 %4 : Texel\n"
+     "%6 = channel 0 %5 : Scalar\noutput metallic = %6\n"},
     // %11 is needed by the shader and by %12; the channel alone costs nothing and stays.
     {"parameters_on_host",
      "parameter 0 \"p\" : Scalar\nparameter 1 \"q\" : Vec4\n%8 = parameter 0 : Scalar\n%9 = parameter 1 : "
