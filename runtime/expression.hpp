@@ -9,8 +9,8 @@
 
 namespace sg::runtime {
 
-// One to four numbers, or the 16 of a matrix by its columns, of which expressions only take rows. A single one
-// stands for as many as are wanted.
+// One to four numbers, or the 16 of a matrix by its columns, of which expressions only take rows. A single
+// one stands for as many as are wanted.
 struct Numbers {
     std::array<double, 16> at{};
     std::size_t count = 1;

@@ -50,6 +50,13 @@ Call call_of(std::string_view text) {
     return {text.substr(0, open + 1), text.substr(open + 1, close - open - 1), text.substr(close)};
 }
 
+// How many letters of `f(g(h(x, y)))` stand before the first place to break it.
+std::size_t head_of(std::string_view text) {
+    const Call call = call_of(text);
+    const bool one = !call.inside.empty() && split(call.inside, {", ", " + ", " - ", " * "}).size() == 1;
+    return call.before.size() + (one ? head_of(call.inside) : 0);
+}
+
 bool is_word(std::string_view part) {
     return part.find('(') == part.npos;
 }
@@ -112,7 +119,7 @@ private:
         if (product) {
             const std::size_t factors = static_cast<std::size_t>(parts.back().data() - parts.front().data());
             if (each_fits({parts.begin(), parts.end() - 1}, inward, 0) &&
-                column_ + factors + call_of(parts.back()).before.size() <= kLineLimit) {
+                column_ + factors + head_of(parts.back()) <= kLineLimit) {
                 write({parts.front().data(), factors});
                 return put(parts.back(), behind);
             }

@@ -107,8 +107,8 @@ class Evaluator {
 public:
     // `module` must verify and outlive the evaluator; the bindings must be complete.
     Evaluator(const Module& module, Bindings bindings);
-    // Evaluates all values for one pixel: entry i is value %i. Valid until the next run. `known`: the first of
-    // them, where they are known already; not of this evaluator's own last run.
+    // Evaluates all values for one pixel: entry i is value %i. Valid until the next run. `known`: the first
+    // of them, where they are known already; not of this evaluator's own last run.
     const std::vector<Datum>& run(const PixelInputs& pixel, std::span<const Datum> known = {});
     // Of the last run. The module must have the output.
     [[nodiscard]] const Datum& output(Output output, std::uint32_t set = 0) const;

@@ -40,7 +40,7 @@ struct Field {
     bool required = false;
     double fallback = 0;  // number, pair, color, vector (all alike), integer; of a choice: the index of the
                           // default; of a flag: 1 or 0
-    double minimum = 0;  // number, pair, color, vector, integer
+    double minimum = 0;   // number, pair, color, vector, integer
     double maximum = 0;
     std::vector<std::string_view> choices;
     std::vector<ir::TextureEncoding> encodings;  // texture: what can be read

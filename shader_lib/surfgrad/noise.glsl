@@ -16,9 +16,8 @@ const float SG_NOISE_MAX_SLOPE = 128.0;  // of f^k near f = 0
 uint sg_perlin_pair(uint word, uint i) { return word >> (8u * (i & 1u)); }
 
 // One corner of a cell: xyz its gradient, w the height of its ramp at `offset` from it.
-//   hash: the low four bits choose one of sixteen directions to the edges of a cube, whose x, y and z stand here as two
-//   bits each, the first one's topmost: the sign and the highest bit of the exponent, so that they are the numbers -2, 0
-//   and 2 where they stand.
+//   hash: the low four bits choose one of sixteen directions to the edges of a cube, whose x, y and z stand here as
+//   two bits each, the first one's topmost: as a float's sign and highest bit of the exponent they are -2, 0 or 2.
 // Result: twice the gradient and twice the height. Cost: 13 instructions. Source: Perlin 2002, the twelve gradients.
 vec4 sg_perlin_corner(uint hash, vec3 offset) {
     uvec3 directions = uvec3(0x7777004cu, 0x5f007777u, 0x005f5f13u);
@@ -27,10 +26,10 @@ vec4 sg_perlin_corner(uint hash, vec3 offset) {
 }
 
 // Improved Perlin noise and its gradient.
-//   p: any space, cells of size 1; precise while |p| < 2^23 resolves fractions of a cell.
+//   p: any space, cells of size 1, within 2^31; precise while |p| < 2^23 resolves fractions of a cell.
 // Result: value in -1..1, zero at integer p; gradient is the exact derivative, continuous, |gradient| < 4; both repeat
 // after 256 cells along each axis; negative p is nothing special. Infinite or NaN p gives NaN, which a resolve rejects.
-// Cost: 265 instructions, seven of them table reads. Source: Perlin 2002.
+// Cost: 256 instructions, seven of them table reads. Source: Perlin 2002.
 SgNoise sg_noise_perlin(vec3 p) {
     // A local, for a constant global would be copied anew at every lookup by what compiles GLSL.
     uint words[128] = uint[128](
@@ -49,7 +48,7 @@ SgNoise sg_noise_perlin(vec3 p) {
         0x4372deu, 0x181d43u, 0xf34818u, 0x808df3u, 0x4ec380u, 0xd7424eu, 0x9c3dd7u, 0x97b49cu);
     vec3 cell = floor(p);
     vec3 f = p - cell, g = f - 1.0;
-    uvec3 i = uvec3(cell - 256.0 * floor(cell / 256.0));
+    uvec3 i = uvec3(ivec3(cell)) & 255u;
     uint h = sg_perlin_pair(words[i.x >> 1u & 127u], i.x);
     uvec2 y = uvec2(h, h >> 8u) + i.y & 255u;
     uint h0 = sg_perlin_pair(words[y.x >> 1u], y.x), h1 = sg_perlin_pair(words[y.y >> 1u], y.y);
@@ -84,7 +83,7 @@ float sg_octave_weight(float footprint) { return 1.0 - smoothstep(0.5, 1.0, foot
 //   octaves: 0 to 20.
 // Result: |value| < 2; gradient exact (every octave adds as much slope as the first); octaves smaller than the
 // footprint are gone, and for a footprint of one cell or NaN the sum is 0.
-// Cost: 302 instructions, nearly all of them once per visible octave. Source: Perlin 1985, fractal sum; section 3.6.
+// Cost: 293 instructions, nearly all of them once per visible octave. Source: Perlin 1985, fractal sum; section 3.6.
 SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
     SgNoise sum = SgNoise(0.0, vec3(0.0));
     float frequency = 1.0;
@@ -99,7 +98,7 @@ SgNoise sg_noise_fractal_sum(vec3 p, float footprint, int octaves) {
 }
 
 // Perlin's turbulence: the octaves |n(2^i p)| / 2^i. Arguments as sg_noise_fractal_sum.
-// Cost: 306 instructions, nearly all of them once per visible octave. Source: Perlin 1985, turbulence; section 4.6.
+// Cost: 297 instructions, nearly all of them once per visible octave. Source: Perlin 1985, turbulence; section 4.6.
 // Result: 0 <= value < 2; the gradient is exact but on the zeros of an octave, where the value has a corner and that
 // octave adds nothing. One evaluation: differences would take four and drown in rounding at fine steps.
 SgNoise sg_noise_turbulence(vec3 p, float footprint, int octaves) {

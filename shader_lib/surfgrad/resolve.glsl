@@ -53,7 +53,8 @@ vec3 sg_resolve_volume(vec3 n, vec3 gradient) {
 
 // Part of the way from one normal to another, measured along the surface gradient that leads there.
 //   n, wanted: unit; part: 0 gives n, 1 gives wanted, any number.
-// Result: sg_resolve of part times sg_surfgrad_from_normal(n, wanted). Cost: 23 instructions. Source: Listing 1, Listing 5.
+// Result: sg_resolve of part times sg_surfgrad_from_normal(n, wanted). Cost: 23 instructions.
+// Source: Listing 1, Listing 5.
 vec3 sg_resolve_towards(vec3 n, vec3 wanted, float part) {
     float along = dot(n, wanted);
     // The length of the tilt, sqrt(1 - along^2), where the gradient is cut: there |along| < 1/128.

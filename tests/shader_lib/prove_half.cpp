@@ -71,7 +71,8 @@ std::vector<Case> cases() {
                  // |g| h along n, over |g|.
                  return glm::dot(out.v3(0), in.v3(0)) >= -2.0 * kHalfUlp ? "" : "inward";
              },
-         .mutants = {{"surfgrad/from_volume.glsl", "return sg_reject(SG_MAX_VOLUME_GRADIENT / largest * gradient, n);",
+         .mutants = {{"surfgrad/from_volume.glsl",
+                      "return sg_reject(SG_MAX_VOLUME_GRADIENT / largest * gradient, n);",
                       "return 10.0 * SG_MAX_VOLUME_GRADIENT / largest * gradient;"}},
          .declarations = kHalf},
     };

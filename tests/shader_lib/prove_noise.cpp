@@ -48,7 +48,7 @@ Case perlin() {
                          "uvec4(h0, h0 >> 8u, h1, h1 >> 8u) + i.y"},
                         {kFile, "word >> (8u * (i & 1u))", "word"},
                         {kFile, "0x89a097u", "0x89a197u"},
-                        {kFile, "cell - 256.0 * floor(cell / 256.0)", "abs(cell)"},
+                        {kFile, "uvec3(ivec3(cell)) & 255u", "uvec3(abs(cell)) & 255u"},
                         {kFile, "f * 6.0 - 15.0", "f * 6.0 - 14.0"},
                         {kFile, "15.0 * slope * slope * across", "-15.0 * slope * slope * across"},
                         {kFile, "0.5 * sum.xyz + 15.0 * slope * slope * across", "0.5 * sum.xyz"},
@@ -170,7 +170,7 @@ Case across_faces() {
                 return joined ? std::string()
                               : fmt::format("a step of {} and {} over {}", value, slope, apart);
             },
-        .mutants = {{kFile, "cell - 256.0 * floor(cell / 256.0)", "clamp(cell, 0.0, 255.0)"},
+        .mutants = {{kFile, "uvec3(ivec3(cell)) & 255u", "uvec3(clamp(cell, 0.0, 255.0))"},
                     {kFile, "f * 6.0 - 15.0", "f * 6.0 - 14.0"}}};
 }
 
@@ -193,7 +193,7 @@ Case period() {
                     const bool same = out[0] == out[4] && out.v3(1) == out.v3(5);
                     return std::string(same ? "" : "not periodic");
                 },
-            .mutants = {{kFile, "cell - 256.0 * floor(cell / 256.0)", "cell - 255.0 * floor(cell / 255.0)"}}};
+            .mutants = {{kFile, "uvec3(ivec3(cell)) & 255u", "uvec3(cell - 255.0 * floor(cell / 255.0))"}}};
 }
 
 std::vector<Case> cases() {

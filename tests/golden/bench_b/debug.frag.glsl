@@ -54,53 +54,67 @@ layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-
-    // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5);
-    vec3 m_weave = sg_surfgrad_from_tbn(sg_material.p_weave_strength * sg_deriv_from_normal_xyz(m_weave_m), m_basis_vertex);
-
     vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
+
+    // weave: normal_map
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        sg_material.p_weave_strength * sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, sg_material.p_tiling)).xyz, 127.5)),
+        m_basis_vertex);
 
     // detail: normal_map
-    vec2 m_detail_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec2 m_detail_scale_deriv = sg_stage_sample(t_moss, s_0, m_uv0).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
-    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
-
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    vec3 m_detail = sg_surfgrad_from_tbn(
+        sg_stage_sample(t_moss, s_0, m_uv0).x *
+        sg_material.p_detail_strength *
+        sg_deriv_from_normal_xy(sg_decode_signed(
+            sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5)),
+        sg_basis_uv(m_frame, m_uv1));
 
     // pebbles: triplanar
-    SgTriplanarUv m_pebbles_planes = sg_volume_triplanar_uv(sg_volume_scale(m_world, sg_material.p_pebble_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec2 m_pebbles_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.x).xyz, 127.5));
-    vec2 m_pebbles_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.y).xyz, 127.5));
-    vec2 m_pebbles_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.z).xyz, 127.5));
-    vec3 m_pebbles_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_base_normal, 3.0), m_pebbles_deriv, m_pebbles_deriv_2, m_pebbles_deriv_3, SG_LEFT_HAND, SG_LOWER_LEFT);
-
-    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    SgTriplanarUv m_pebbles_planes = sg_volume_triplanar_uv(
+        sg_volume_scale(m_world, sg_material.p_pebble_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec3 m_pebbles = sg_material.p_pebble_strength * sg_triplanar_gradient(
+        sg_triplanar_weights(m_base_normal, 3.0),
+        sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.x).xyz, 127.5)),
+        sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.y).xyz, 127.5)),
+        sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.z).xyz, 127.5)),
+        SG_LEFT_HAND, SG_LOWER_LEFT);
 
     // dents: noise
-    SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 4), sg_material.p_power);
-
-    vec3 m_add_volgrad = sg_material.p_pebble_strength * m_pebbles_gradient + sg_stage_gradient_from_object(sg_material.d_dents_multiply * m_dents_noise.gradient);
+    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
+        sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 4),
+        sg_material.p_power).gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
-    vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
-    vec3 m_sign_gradient = sg_decal_gradient_along(m_sign_deriv, sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
-    float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * sg_stage_sample(t_sign, s_0, m_sign_decal.uv).w;
+    vec3 m_sign =
+        sg_decal_falloff_box(m_sign_decal.local, 0.25) *
+        sg_stage_sample(t_sign, s_0, m_sign_decal.uv).w *
+        sg_material.p_decal_strength *
+        sg_decal_gradient_along(
+            sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5)),
+            sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
 
-    vec3 m_surfgrad_from_volume = sg_surfgrad_from_volume(m_base_normal, m_add_volgrad + m_sign_coverage * sg_material.p_decal_strength * m_sign_gradient);
-    vec3 m_add_surfgrad = m_weave + m_detail + m_surfgrad_from_volume;
+    vec3 m_gradient = m_weave + m_detail +
+        sg_surfgrad_from_volume(m_base_normal, m_pebbles + m_dents + m_sign);
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_add_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0

@@ -89,66 +89,93 @@ void main() {
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, sg_material.p_tiling);
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(sg_material.p_depth, sg_material.d_parallax_multiply), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
-    vec3 m_parallax_position = sg_parallax_position(m_frame, sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset), m_parallax_hit.height);
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(sg_material.p_depth, sg_material.d_parallax_multiply), m_parallax_uv.st,
+        m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
 
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: normal_map
-    vec2 m_stones_scale_deriv = sg_material.p_stone_strength * sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5));
-    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_seen_uv, sg_texture_size(t_pebble, s_0), m_stones_scale_deriv);
+    vec3 m_stones = sg_surfgrad_from_height(
+        m_frame, m_seen_uv,
+        sg_texture_size(t_pebble, s_0),
+        sg_material.p_stone_strength *
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_seen_uv).xyz, 127.5)));
 
     // detail: normal_map
-    vec2 m_detail_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5);
-    vec2 m_detail_scale_deriv = sg_sample(t_moss, s_0, m_seen_uv).x * sg_material.p_detail_strength * sg_deriv_from_normal_xy(m_detail_m);
-    vec3 m_detail = sg_surfgrad_from_tbn(m_detail_scale_deriv, sg_basis_uv(m_frame, m_uv1));
+    vec3 m_detail = sg_surfgrad_from_tbn(
+        sg_sample(t_moss, s_0, m_seen_uv).x *
+        sg_material.p_detail_strength *
+        sg_deriv_from_normal_xy(sg_decode_signed(
+            sg_sample(t_scratch, s_0, sg_uv_scale(m_uv1, sg_material.p_detail_tiling)).xy, 127.5)),
+        sg_basis_uv(m_frame, m_uv1));
 
     // sphere: object_normal_map
-    vec3 m_sphere_stored_normal = sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_sphere, s_0, m_seen_uv).xyz, 127.5));
-    vec3 m_sphere = sg_material.p_object_strength * sg_surfgrad_from_normal(m_base_normal, m_sphere_stored_normal);
+    vec3 m_sphere = sg_material.p_object_strength * sg_surfgrad_from_normal(
+        m_base_normal,
+        sg_stage_normal_from_object(sg_decode_signed(sg_sample(t_sphere, s_0, m_seen_uv).xyz, 127.5)));
 
     // ribs: height_map
-    vec2 m_ribs_scale_deriv = max(sg_in_color.x, 0.0) * sg_material.p_rib_strength * sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling));
-    vec3 m_ribs = sg_surfgrad_from_tbn(m_ribs_scale_deriv, sg_basis_uv(m_frame, m_uv2));
+    vec3 m_ribs = sg_surfgrad_from_tbn(
+        max(sg_in_color.x, 0.0) * sg_material.p_rib_strength *
+            sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling)),
+        sg_basis_uv(m_frame, m_uv2));
 
-    vec3 m_normal = sg_resolve(m_base_normal, m_stones + m_detail + m_sphere + m_ribs);
-    SgFrame m_frame_2 = sg_stage_frame_rebuilt(m_parallax_position, m_normal, 1.0);
-    SgVolume m_world = sg_stage_world_volume(m_frame_2);
+    vec3 m_relief_normal = sg_resolve(m_base_normal, m_stones + m_detail + m_sphere + m_ribs);
+    SgVolume m_moved_world = sg_stage_world_volume(sg_stage_frame_rebuilt(
+        sg_parallax_position(m_frame, sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset),
+                             m_parallax_hit.height),
+        m_relief_normal, 1.0));
 
     // weave: triplanar
-    SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(sg_volume_scale(m_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec2 m_weave_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5));
-    vec2 m_weave_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5));
-    vec2 m_weave_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5));
-    vec3 m_weave_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, sg_material.p_exponent), m_weave_deriv, m_weave_deriv_2, m_weave_deriv_3, SG_LEFT_HAND, SG_LOWER_LEFT);
+    SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(
+        sg_volume_scale(m_moved_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec3 m_weave = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
+        sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5)),
+        SG_LEFT_HAND, SG_LOWER_LEFT);
 
     // dents: noise
-    SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6), sg_material.p_power);
-
-    vec3 m_add_volgrad = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * m_weave_gradient + sg_stage_gradient_from_object(sg_material.d_dents_multiply * m_dents_noise.gradient);
+    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
+        sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6),
+        sg_material.p_power).gradient);
 
     // sign: decal
-    SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_world.p, m_world.dx, m_world.dy);
-    vec2 m_sign_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5));
-    vec3 m_sign_gradient = sg_decal_gradient_along(m_sign_deriv, sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
+    SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_moved_world.p, m_moved_world.dx,
+                                        m_moved_world.dy);
     vec4 m_sign_cutout = sg_sample(t_sign, s_0, m_sign_decal.uv);
     float m_sign_coverage = sg_decal_falloff_box(m_sign_decal.local, 0.25) * m_sign_cutout.w;
+    vec3 m_sign = m_sign_coverage * sg_material.p_first_strength * sg_decal_gradient_along(
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5)),
+        sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
 
     // plaster: decal
-    SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_world.p, m_world.dx, m_world.dy);
-    vec2 m_plaster_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5));
-    vec3 m_plaster_gradient = sg_decal_gradient_along(m_plaster_deriv, sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
+    SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_moved_world.p, m_moved_world.dx,
+                                           m_moved_world.dy);
     vec4 m_plaster_cutout = sg_sample(t_plaster, s_0, m_plaster_decal.uv);
     float m_plaster_coverage = sg_decal_falloff_box(m_plaster_decal.local, 0.25) * m_plaster_cutout.w;
+    vec3 m_plaster = m_plaster_coverage * sg_material.p_second_strength * sg_decal_gradient_along(
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5)),
+        sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
 
-    vec3 m_add_volgrad_2 = m_sign_coverage * sg_material.p_first_strength * m_sign_gradient + m_plaster_coverage * sg_material.p_second_strength * m_plaster_gradient;
     float m_wet = sg_material.p_wetness * sg_in_color.z;
-    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_volume(sg_resolve_volume(m_normal, m_add_volgrad), m_add_volgrad_2), m_normal, max(m_wet, 0.0));
-    vec4 m_texel = sg_sample(t_stone, s_0, m_seen_uv);
-    vec3 m_marked = mix(mix(sg_material.p_tint * m_texel.rgb, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb, m_plaster_coverage);
-    float m_mix = mix(mix(mix(sg_material.p_roughness, 0.4, m_sign_coverage), 0.4, m_plaster_coverage), 0.1, m_wet);
-    sg_out_base_color = vec4(m_marked * mix(vec3(1.0), vec3(0.6), m_wet), sg_material.p_opacity * m_texel.w);
-    sg_out_normal = vec4(m_normal_2, m_mix);
+    vec4 m_stone_texel = sg_sample(t_stone, s_0, m_seen_uv);
+    vec3 m_stone = sg_material.p_tint * m_stone_texel.rgb;
+    vec3 m_marked = mix(mix(m_stone, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb,
+                        m_plaster_coverage);
+    float m_marked_roughness = mix(mix(sg_material.p_roughness, 0.4, m_sign_coverage), 0.4,
+                                   m_plaster_coverage);
+
+    sg_out_base_color = vec4(m_marked * mix(vec3(1.0), vec3(0.6), m_wet),
+                             sg_material.p_opacity * m_stone_texel.w);
+    sg_out_normal = vec4(
+        sg_resolve_towards(
+            sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
+            m_relief_normal, max(m_wet, 0.0)),
+        mix(m_marked_roughness, 0.1, m_wet));
     sg_out_surface = vec4(sg_material.p_metallic, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }

@@ -34,53 +34,93 @@ layout(location = 0) out vec4 sg_out_color;
 void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-
-    // grain: noise
-    vec3 m_grain_gradient_from_object = sg_stage_gradient_from_object(0.072 * sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 3).gradient);
-
-    // chart: decal
-    mat4 m_chart_projector = mat4(mat4x3(vec3(2.2222223, 0.0, 0.0), vec3(0.0, -1.5094117, -2.0478802), vec3(0.0, 2.1556633, -1.4339411), vec3(-0.44444445, -1.9184061, 2.1916993)));
-    SgDecal m_chart_decal = sg_decal_box(m_chart_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_chart_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_chart, s_0, m_chart_decal.uv).xyz, 127.5));
-    vec3 m_chart_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_chart_deriv), m_chart_decal));
-    float m_chart_angle_fade = sg_decal_angle_fade(sg_stage_object_normal(m_base_normal), vec3(0.0, 0.81915206, 0.57357645), 0.64278764, 0.087155744);
-    vec3 m_chart_scale_volgrad = max(sg_decal_falloff_box(m_chart_decal.local, 0.1) * m_chart_angle_fade, 0.0) * 1.2 * m_chart_gradient_from_object;
-
-    // pebbles: decal
-    mat4 m_pebbles_projector = mat4(mat4x3(vec3(1.6666666, 0.0, 0.0), vec3(0.0, -1.6666666, 0.0), vec3(0.0, 0.0, -1.6666666), vec3(1.5, 0.0, 0.6666667)));
-    SgDecal m_pebbles_decal = sg_decal_sphere(m_pebbles_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_pebbles_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_pebbles_decal.uv).xyz, 127.0));
-    vec3 m_pebbles_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_pebbles_deriv), m_pebbles_decal));
-
-    vec3 m_add_volgrad = m_grain_gradient_from_object + m_chart_scale_volgrad + sg_decal_falloff_sphere(m_pebbles_decal.local, 0.4) * m_pebbles_gradient_from_object;
     SgVolume m_world = sg_stage_volume(sg_in_world_position);
 
-    // dent: decal
-    mat4 m_dent_projector = mat4(mat4x3(vec3(2.8867514, 0.0, -1.6666666), vec3(-1.4433757, -1.6666666, -2.5), vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317)));
-    SgDecal m_dent_decal = sg_decal_box(m_dent_projector, m_world.p, m_world.dx, m_world.dy);
-    vec2 m_dent_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0));
-    float m_dent_coverage = sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) * sg_stage_sample(t_moss, s_0, m_dent_decal.uv).x;
+    // grain: noise
+    vec3 m_grain = sg_stage_gradient_from_object(
+        0.072 * sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 3).gradient);
 
-    vec3 m_add_volgrad_2 = m_add_volgrad + m_dent_coverage * -1.0 * sg_decal_gradient(sg_deriv_green_up(m_dent_deriv), m_dent_decal);
+    // chart: decal
+    SgDecal m_chart_decal = sg_decal_box(
+        mat4(mat4x3(vec3(2.2222223, 0.0, 0.0), vec3(0.0, -1.5094117, -2.0478802),
+                    vec3(0.0, 2.1556633, -1.4339411), vec3(-0.44444445, -1.9184061, 2.1916993))),
+        m_object.p, m_object.dx, m_object.dy);
+    vec3 m_chart =
+        max(
+            sg_decal_falloff_box(m_chart_decal.local, 0.1) * sg_decal_angle_fade(
+                sg_stage_object_normal(m_base_normal), vec3(0.0, 0.81915206, 0.57357645), 0.64278764,
+                0.087155744),
+            0.0) *
+        1.2 *
+        sg_stage_gradient_from_object(sg_decal_gradient(
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_chart, s_0, m_chart_decal.uv).xyz, 127.5))),
+            m_chart_decal));
+
+    // pebbles: decal
+    SgDecal m_pebbles_decal = sg_decal_sphere(
+        mat4(mat4x3(vec3(1.6666666, 0.0, 0.0), vec3(0.0, -1.6666666, 0.0), vec3(0.0, 0.0, -1.6666666),
+                    vec3(1.5, 0.0, 0.6666667))),
+        m_object.p, m_object.dx, m_object.dy);
+    vec3 m_pebbles =
+        sg_decal_falloff_sphere(m_pebbles_decal.local, 0.4) *
+        sg_stage_gradient_from_object(sg_decal_gradient(
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_sample(t_pebble, s_0, m_pebbles_decal.uv).xyz, 127.0))),
+            m_pebbles_decal));
+
+    // dent: decal
+    SgDecal m_dent_decal = sg_decal_box(
+        mat4(mat4x3(vec3(2.8867514, 0.0, -1.6666666), vec3(-1.4433757, -1.6666666, -2.5),
+                    vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317))),
+        m_world.p, m_world.dx, m_world.dy);
+    vec3 m_dent =
+        sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) *
+        sg_stage_sample(t_moss, s_0, m_dent_decal.uv).x *
+        -1.0 *
+        sg_decal_gradient(
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0))),
+            m_dent_decal);
 
     // wedge: decal
-    mat4 m_wedge_projector = mat4(mat4x3(vec3(0.0, -2.5, 0.0), vec3(0.0, 0.0, -1.25), vec3(2.0, 0.0, 0.0), vec3(0.6, -2.625, 1.0)));
-    SgDecal m_wedge_decal = sg_decal_box(m_wedge_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_wedge_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_chart, s_0, m_wedge_decal.uv).xyz, 127.5));
-    vec3 m_wedge_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_wedge_deriv), m_wedge_decal));
-
-    vec3 m_add_volgrad_3 = m_add_volgrad_2 + sg_decal_falloff_wedge(m_wedge_decal.local, 0.2) * 0.8 * m_wedge_gradient_from_object;
+    SgDecal m_wedge_decal = sg_decal_box(
+        mat4(
+            mat4x3(vec3(0.0, -2.5, 0.0), vec3(0.0, 0.0, -1.25), vec3(2.0, 0.0, 0.0), vec3(0.6, -2.625, 1.0))),
+        m_object.p, m_object.dx, m_object.dy);
+    vec3 m_wedge =
+        sg_decal_falloff_wedge(m_wedge_decal.local, 0.2) *
+        0.8 *
+        sg_stage_gradient_from_object(sg_decal_gradient(
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_chart, s_0, m_wedge_decal.uv).xyz, 127.5))),
+            m_wedge_decal));
 
     // bricks: decal
-    mat4 m_bricks_projector = mat4(mat4x3(vec3(1.4285715, 0.0, 0.0), vec3(0.0, 0.0, -0.625), vec3(0.0, 1.4285715, 0.0), vec3(-1.2857143, 0.5714286, 0.875)));
-    SgDecal m_bricks_decal = sg_decal_cone(m_bricks_projector, m_object.p, m_object.dx, m_object.dy);
-    vec2 m_bricks_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_brick, s_0, m_bricks_decal.uv).xyz, 127.5));
-    vec3 m_bricks_gradient_from_object = sg_stage_gradient_from_object(sg_decal_gradient(sg_deriv_green_up(m_bricks_deriv), m_bricks_decal));
+    SgDecal m_bricks_decal = sg_decal_cone(
+        mat4(mat4x3(vec3(1.4285715, 0.0, 0.0), vec3(0.0, 0.0, -0.625), vec3(0.0, 1.4285715, 0.0),
+                    vec3(-1.2857143, 0.5714286, 0.875))),
+        m_object.p, m_object.dx, m_object.dy);
+    vec3 m_bricks = sg_stage_gradient_from_object(sg_decal_gradient(
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_sample(t_brick, s_0, m_bricks_decal.uv).xyz, 127.5))),
+        m_bricks_decal));
     float m_bricks_falloff = sg_decal_falloff_cone(m_bricks_decal.local, 0.15);
 
-    vec3 m_normal = sg_resolve_volume(m_base_normal, sg_combine_mix(m_add_volgrad_3, m_bricks_gradient_from_object, m_bricks_falloff));
-    vec3 m_mix_color = mix(vec3(0.5, 0.48, 0.44), sg_sample(t_stone, s_0, m_bricks_decal.uv).rgb * vec3(1.0, 0.4, 0.25), m_bricks_falloff);
-    SgGgxSurface sg_surface = SgGgxSurface(m_mix_color, 0.0, 0.65, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal, sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    vec3 m_fired = sg_sample(t_stone, s_0, m_bricks_decal.uv).rgb * vec3(1.0, 0.4, 0.25);
+
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = mix(vec3(0.5, 0.48, 0.44), m_fired, m_bricks_falloff);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.65;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(
+            sg_surface,
+            sg_resolve_volume(
+                m_base_normal,
+                sg_combine_mix(m_grain + m_chart + m_pebbles + m_dent + m_wedge, m_bricks, m_bricks_falloff)),
+            sg_stage_lights(sg_in_position)),
+        1.0);
 }

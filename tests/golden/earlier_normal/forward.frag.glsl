@@ -27,22 +27,37 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-
-    // layer 1: normal_map
-    vec3 m_layer_1_m = sg_decode_signed(sg_stage_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(5.0, 2.0))).xyz, 127.0);
-    vec3 m_layer_1 = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_layer_1_m)), sg_basis_uv(m_frame, m_uv0));
-
-    vec3 m_normal = sg_resolve(m_base_normal, m_layer_1);
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
 
+    // layer 1: normal_map
+    vec3 m_layer_1 = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(5.0, 2.0))).xyz, 127.0))),
+        sg_basis_uv(m_frame, m_uv0));
+
+    vec3 m_pebbles_normal = sg_resolve(m_base_normal, m_layer_1);
+
     // layer 2: normal_map
-    vec2 m_layer_2_m = sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_layer_2 = sg_surfgrad_from_tbn(sg_deriv_from_normal_xy(m_layer_2_m), sg_basis_uv(m_frame_2, m_uv1));
+    vec3 m_layer_2 = sg_surfgrad_from_tbn(
+        sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5)),
+        sg_basis_uv(sg_frame_resolved(m_frame, m_pebbles_normal), m_uv1));
 
     float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
-    vec3 m_normal_2 = sg_resolve_towards(sg_resolve_towards(sg_resolve(m_normal, m_layer_2), m_normal, m_water), m_base_normal, max(sg_smoothstep(0.6, 0.9, m_water), 0.0));
-    SgGgxSurface sg_surface = SgGgxSurface(mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0, mix(0.8, 0.4, m_water), 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal_2, sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    float m_deep = sg_smoothstep(0.6, 0.9, m_water);
+
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = mix(0.8, 0.4, m_water);
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(
+            sg_surface,
+            sg_resolve_towards(
+                sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water),
+                m_base_normal, max(m_deep, 0.0)),
+            sg_stage_lights(sg_in_position)),
+        1.0);
 }

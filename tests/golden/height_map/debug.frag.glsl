@@ -25,24 +25,27 @@ void main() {
 
     // stones: height_map
     SgUv m_stones_uv = sg_uv_scale(m_uv0, vec2(4.0, 2.0));
-    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_stones_uv, sg_texture_size(t_pebble, s_0), 0.06 * sg_deriv_from_height_hq(t_pebble, s_0, m_stones_uv));
+    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_stones_uv, sg_texture_size(t_pebble, s_0),
+                                            0.06 * sg_deriv_from_height_hq(t_pebble, s_0, m_stones_uv));
 
     // grit: height_map
     SgUv m_grit_uv = sg_uv_scale(m_uv0, vec2(16.0, 8.0));
-    vec3 m_grit = sg_surfgrad_from_height(m_frame, m_grit_uv, sg_texture_size(t_pebble, s_0), 0.008 * sg_deriv_from_height(t_pebble, s_0, m_grit_uv));
+    vec3 m_grit = sg_surfgrad_from_height(m_frame, m_grit_uv, sg_texture_size(t_pebble, s_0),
+                                          0.008 * sg_deriv_from_height(t_pebble, s_0, m_grit_uv));
 
     // wear: height_map
-    vec3 m_wear_surfgrad_from_three_taps = sg_surfgrad_from_screen_height(m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
-    vec3 m_wear = -0.04 * m_wear_surfgrad_from_three_taps;
+    vec3 m_wear = -0.04 * sg_surfgrad_from_screen_height(
+        m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
 
-    vec3 m_add_surfgrad = m_stones + m_grit + m_wear;
+    vec3 m_gradient = m_stones + m_grit + m_wear;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_add_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_out_value = sg_shown;

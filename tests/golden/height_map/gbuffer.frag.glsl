@@ -27,15 +27,17 @@ void main() {
 
     // stones: height_map
     SgUv m_stones_uv = sg_uv_scale(m_uv0, vec2(4.0, 2.0));
-    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_stones_uv, sg_texture_size(t_pebble, s_0), 0.06 * sg_deriv_from_height_hq(t_pebble, s_0, m_stones_uv));
+    vec3 m_stones = sg_surfgrad_from_height(m_frame, m_stones_uv, sg_texture_size(t_pebble, s_0),
+                                            0.06 * sg_deriv_from_height_hq(t_pebble, s_0, m_stones_uv));
 
     // grit: height_map
     SgUv m_grit_uv = sg_uv_scale(m_uv0, vec2(16.0, 8.0));
-    vec3 m_grit = sg_surfgrad_from_height(m_frame, m_grit_uv, sg_texture_size(t_pebble, s_0), 0.008 * sg_deriv_from_height(t_pebble, s_0, m_grit_uv));
+    vec3 m_grit = sg_surfgrad_from_height(m_frame, m_grit_uv, sg_texture_size(t_pebble, s_0),
+                                          0.008 * sg_deriv_from_height(t_pebble, s_0, m_grit_uv));
 
     // wear: height_map
-    vec3 m_wear_surfgrad_from_three_taps = sg_surfgrad_from_screen_height(m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
-    vec3 m_wear = -0.04 * m_wear_surfgrad_from_three_taps;
+    vec3 m_wear = -0.04 * sg_surfgrad_from_screen_height(
+        m_frame, sg_screen_height_three_tap(t_pebble, s_0, sg_uv_scale(m_uv0, vec2(2.0, 1.0))));
 
     sg_out_base_color = vec4(vec3(0.4, 0.38, 0.34), 1.0);
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_stones + m_grit + m_wear), 0.75);

@@ -31,28 +31,35 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // veins: height_map
     SgUv m_veins_uv = sg_uv_scale(m_uv0, vec2(3.0, 2.0));
-    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), 0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
+    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0),
+                                           0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
 
-    SgVolume m_object = sg_stage_volume(sg_in_object_position);
-    vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
+    float m_vein = sg_stage_sample(t_veins, s_0, m_veins_uv).x;
 
     // blisters: noise
-    vec3 m_blisters_noise_gradient = max(1.0 - m_texel.x, 0.0) * 0.14 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient;
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_blisters_noise_gradient));
+    vec3 m_blisters = sg_surfgrad_from_volume(
+        m_base_normal,
+        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+            sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
-    vec3 m_add_surfgrad = m_veins + m_blisters;
-    vec4 m_texel_2 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
-    if (1.0 - m_texel_2.x * sg_material.p_eaten < 0.58) discard;
+    vec3 m_gradient = m_veins + m_blisters;
+    float m_hole = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x;
+
+    if (1.0 - m_hole * sg_material.p_eaten < 0.58) discard;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_flip(sg_resolve(m_base_normal, m_add_surfgrad), sg_stage_facing()));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0,
+                               sg_flip(sg_resolve(m_base_normal, m_gradient), sg_stage_facing()));
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, m_object.p);  // object-position

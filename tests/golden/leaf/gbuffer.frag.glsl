@@ -35,26 +35,31 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // veins: height_map
     SgUv m_veins_uv = sg_uv_scale(m_uv0, vec2(3.0, 2.0));
-    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0), 0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
+    vec3 m_veins = sg_surfgrad_from_height(m_frame, m_veins_uv, sg_texture_size(t_veins, s_0),
+                                           0.12 * sg_deriv_from_height_hq(t_veins, s_0, m_veins_uv));
 
-    SgVolume m_object = sg_stage_volume(sg_in_object_position);
-    vec4 m_texel = sg_stage_sample(t_veins, s_0, m_veins_uv);
-    float m_vein = m_texel.x;
+    float m_vein = sg_stage_sample(t_veins, s_0, m_veins_uv).x;
 
     // blisters: noise
-    vec3 m_blisters_noise_gradient = max(1.0 - m_vein, 0.0) * 0.14 * sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient;
-    vec3 m_blisters = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_blisters_noise_gradient));
+    vec3 m_blisters = sg_surfgrad_from_volume(
+        m_base_normal,
+        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+            sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
-    vec4 m_texel_2 = sg_stage_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0)));
-    float m_mix = mix(0.35, 0.7, sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value));
-    vec4 m_texel_3 = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0)));
-    float m_subtract = 1.0 - m_texel_3.x * sg_material.p_eaten;
-    if (m_subtract < 0.58) discard;
-    sg_out_base_color = vec4(vec3(0.16, 0.5, 0.12) * m_texel_2.rgb, m_subtract);
-    sg_out_normal = vec4(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()), m_mix);
+    vec3 m_flecks = sg_stage_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb;
+    float m_wax = sg_smoothstep(0.0, 0.8, sg_volume_turbulence(sg_volume_scale(m_object, 5.0), 3).value);
+    float m_hole = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x;
+    float m_opacity = 1.0 - m_hole * sg_material.p_eaten;
+
+    if (m_opacity < 0.58) discard;
+
+    sg_out_base_color = vec4(vec3(0.16, 0.5, 0.12) * m_flecks, m_opacity);
+    sg_out_normal = vec4(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()),
+                         mix(0.35, 0.7, m_wax));
     sg_out_surface = vec4(0.0, m_vein * 0.4 + 0.6, 0.0, 1.0);
     sg_out_emission = vec4(sg_material.p_glow, 1.0);
 }

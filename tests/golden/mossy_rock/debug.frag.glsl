@@ -34,45 +34,60 @@ layout(location = 12) in vec3 sg_in_object_position;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));
+    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
 
     // scan: normal_map
-    vec3 m_scan_m = sg_decode_signed(sg_stage_sample(t_scan, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz, 127.5);
+    vec3 m_scan_m = sg_decode_signed(sg_stage_sample(t_scan, s_0, sg_uv_scale(m_uv0, vec2(4.0, 2.0))).xyz,
+                                     127.5);
     vec3 m_scan = sg_surfgrad_from_tbn(sg_deriv_green_up(sg_deriv_from_normal_xyz(m_scan_m)), m_basis_vertex);
 
-    vec3 m_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_scan_m, vec2(1.0, -1.0));
-    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    vec3 m_macro_normal = sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_scan_m, vec2(1.0, -1.0));
 
     // gravel: triplanar
-    SgTriplanarUv m_gravel_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 3.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_gravel_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.x).xyz, 127.0));
-    vec2 m_gravel_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.y).xyz, 127.0));
-    vec2 m_gravel_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.z).xyz, 127.0));
-    vec3 m_gravel_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_normal), 3.0), sg_deriv_green_up(m_gravel_deriv), sg_deriv_green_up(m_gravel_deriv_2), sg_deriv_green_up(m_gravel_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_gravel = sg_surfgrad_from_volume(m_normal, sg_material.p_detail * sg_stage_gradient_from_object(m_gravel_gradient));
+    SgTriplanarUv m_gravel_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 3.0), SG_RIGHT_HAND,
+                                                           SG_UPPER_LEFT);
+    vec3 m_gravel = sg_surfgrad_from_volume(
+        m_macro_normal,
+        sg_material.p_detail * sg_stage_gradient_from_object(sg_triplanar_gradient(
+            sg_triplanar_weights(sg_stage_object_normal(m_macro_normal), 3.0),
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.x).xyz, 127.0))),
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.y).xyz, 127.0))),
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.z).xyz, 127.0))),
+            SG_RIGHT_HAND, SG_UPPER_LEFT)));
 
     // fuzz: noise
-    vec3 m_fuzz_gradient_from_object = sg_stage_gradient_from_object(0.16 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient);
-    vec3 m_fuzz = sg_surfgrad_from_volume(m_normal, m_fuzz_gradient_from_object);
-
-    SgFrame m_frame = sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal));
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_normal);
-    SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
+    vec3 m_fuzz = sg_surfgrad_from_volume(
+        m_macro_normal,
+        sg_stage_gradient_from_object(
+            0.16 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient));
 
     // slime: normal_map
-    vec2 m_slime_deriv = sg_deriv_from_normal_xy(sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(4.0))).xy, 127.5));
-    vec3 m_slime = sg_surfgrad_from_tbn(0.3 * m_slime_deriv, sg_basis_uv(m_frame_2, m_uv1));
+    vec3 m_slime = sg_surfgrad_from_tbn(
+        0.3 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(4.0))).xy, 127.5)),
+        sg_basis_uv(sg_frame_resolved(m_frame, m_macro_normal), m_uv1));
 
-    float m_mossy = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * sg_smoothstep(0.1, 0.6, dot(m_normal, vec3(0.0, 1.0, 0.0)));
-    vec3 m_normal_2 = sg_flip(sg_resolve(m_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)), sg_stage_facing());
+    float m_facing_up = sg_smoothstep(0.1, 0.6, dot(m_macro_normal, vec3(0.0, 1.0, 0.0)));
+    float m_mossy = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * m_facing_up;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_scan);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, m_normal_2);  // normal
+    // normal
+    sg_shown = sg_stage_select(
+        sg_shown, 5.0,
+        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)),
+                sg_stage_facing()));
     sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
     sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0

@@ -25,23 +25,30 @@ layout(location = 0) out vec4 sg_out_value;
 void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
 
     // forms: noise
-    vec3 m_forms_gradient_from_object = sg_stage_gradient_from_object(0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
+    vec3 m_forms = sg_stage_gradient_from_object(
+        0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
 
     // dents: noise
-    vec3 m_dents_noise_gradient = sg_material.d_dents_multiply * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
+    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply *
+        sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient);
 
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
-    vec3 m_add_volgrad = m_forms_gradient_from_object + sg_stage_gradient_from_object(m_dents_noise_gradient) + 0.1125 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    // grain: noise
+    vec3 m_grain = 0.1125 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
+
+    vec3 m_gradient = m_forms + m_dents + m_grain;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, sg_surfgrad_from_volume(m_base_normal, m_add_volgrad));  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_add_volgrad));  // normal
+    // gradient
+    sg_shown = sg_stage_select(sg_shown, 4.0, sg_surfgrad_from_volume(m_base_normal, m_gradient));
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_object.p);  // object-position
     sg_shown = sg_stage_select(sg_shown, 7.0, m_object.dx);  // object-position-dx
     sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dy);  // object-position-dy

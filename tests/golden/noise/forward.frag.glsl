@@ -26,16 +26,26 @@ void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
     // forms: noise
-    vec3 m_forms_gradient_from_object = sg_stage_gradient_from_object(0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
+    vec3 m_forms = sg_stage_gradient_from_object(
+        0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
 
     // dents: noise
-    vec3 m_dents_noise_gradient = sg_material.d_dents_multiply * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient;
+    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply *
+        sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient);
 
     // grain: noise
-    vec3 m_grain_noise_gradient = 0.1125 * sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
+    vec3 m_grain = 0.1125 *
+        sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
 
-    vec3 m_add_volgrad = m_forms_gradient_from_object + sg_stage_gradient_from_object(m_dents_noise_gradient) + m_grain_noise_gradient;
-    SgGgxSurface sg_surface = SgGgxSurface(vec3(0.62, 0.57, 0.48), 0.0, 0.9, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve_volume(sg_base_normal(sg_in_normal), m_add_volgrad), sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = vec3(0.62, 0.57, 0.48);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.9;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface,
+                        sg_resolve_volume(sg_base_normal(sg_in_normal), m_forms + m_dents + m_grain),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
 }

@@ -39,31 +39,47 @@ void main() {
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view,
+        sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
+                                                      m_normal_derivatives.dndy, m_parallax_pixels);
 
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
+    vec3 m_stones = sg_surfgrad_from_height(sg_frame_resolved(m_frame, m_parallax_moved_normal), m_seen_uv,
+                                            sg_texture_size(t_height, s_0),
+                                            0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
-    vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
-    SgFrame m_frame_3 = sg_stage_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0);
+    vec3 m_relief_normal = sg_resolve(m_parallax_moved_normal, m_stones);
+    SgFrame m_moved_frame = sg_stage_frame_rebuilt(
+        sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_relief_normal, 1.0);
 
     // dents: noise
-    SgNoise m_dents_noise = sg_noise_power(sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_frame_3), 4.0), 4), 2.5);
+    vec3 m_dents = sg_stage_gradient_from_object(-0.4 * sg_noise_power(
+        sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_moved_frame), 4.0), 4), 2.5).gradient);
 
     // grain: triplanar
-    SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_world_volume(m_frame_3), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_grain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0));
-    vec2 m_grain_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0));
-    vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
-    vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(
+        sg_volume_scale(sg_stage_world_volume(m_moved_frame), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_grain = 0.25 * sg_triplanar_gradient(
+        sg_triplanar_weights(m_relief_normal, 3.0),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0)),
+        SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    vec3 m_normal_2 = sg_resolve_volume(m_normal, sg_stage_gradient_from_object(-0.4 * m_dents_noise.gradient) + 0.25 * m_grain_gradient);
-    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, m_normal_2, sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = sg_sample(t_stone, s_0, m_seen_uv).rgb;
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.85;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve_volume(m_relief_normal, m_dents + m_grain),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
 }

@@ -1,5 +1,6 @@
-// carved pebbles, eroded: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
-// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+// carved pebbles, eroded: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
 //   position           relative world space (origin at the camera), world units
 //   position_dx        its change per pixel to the right
 //   position_dy        its change per pixel downward
@@ -11,8 +12,8 @@
 //   base_normal_dx     change of the unit vertex normal per pixel to the right
 //   base_normal_dy     its change per pixel downward
 //   camera_position    absolute world space
-//   to_viewer          of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-//   screen_x           first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
+//   to_viewer          of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+//   screen_x           first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
 //   screen_y           its second column
 //   clip_w             last row of the matrix from relative world space to clip space
 //   uv0                texture coordinate 0, t downward
@@ -36,103 +37,126 @@
 #define SG_MATERIAL_TYPES
 
 struct SgMaterialInputs {
-    vec3 position;                  // relative world space (origin at the camera), world units
-    vec3 position_dx;               // its change per pixel to the right
-    vec3 position_dy;               // its change per pixel downward
-    vec3 normal;                    // interpolated vertex normal, world axes, any length
-    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
-    vec4 color;                     // interpolated vertex colour, linear
-    float facing;                   // +1 on front faces, -1 on back faces
-    float time;                     // seconds
-    vec3 object_position;           // object space, object units
-    vec3 object_position_dx;        // its change per pixel to the right
-    vec3 object_position_dy;        // its change per pixel downward
-    vec3 world_position;            // absolute world space, world units
-    vec3 world_position_dx;         // its change per pixel to the right
-    vec3 world_position_dy;         // its change per pixel downward
-    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
-    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
-    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
-    vec3 object_origin;             // the object's origin, relative world space
-    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
-    vec3 base_normal_dy;            // its change per pixel downward
-    vec3 camera_position;           // absolute world space
-    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
-    vec4 screen_y;                  // its second column
-    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
-    vec2 uv0;                       // texture coordinate 0, t downward
-    vec2 uv0_dx;                    // its change per pixel to the right
-    vec2 uv0_dy;                    // its change per pixel downward
-    vec2 uv1;                       // texture coordinate 1, t downward
-    vec2 uv1_dx;                    // its change per pixel to the right
-    vec2 uv1_dy;                    // its change per pixel downward
-    vec2 uv2;                       // texture coordinate 2, t downward
-    vec2 uv2_dx;                    // its change per pixel to the right
-    vec2 uv2_dy;                    // its change per pixel downward
-    vec2 uv3;                       // texture coordinate 3, t downward
-    vec2 uv3_dx;                    // its change per pixel to the right
-    vec2 uv3_dy;                    // its change per pixel downward
-    vec2 uv4;                       // texture coordinate 4, t downward
-    vec2 uv4_dx;                    // its change per pixel to the right
-    vec2 uv4_dy;                    // its change per pixel downward
-    vec2 uv5;                       // texture coordinate 5, t downward
-    vec2 uv5_dx;                    // its change per pixel to the right
-    vec2 uv5_dy;                    // its change per pixel downward
-    vec2 uv6;                       // texture coordinate 6, t downward
-    vec2 uv6_dx;                    // its change per pixel to the right
-    vec2 uv6_dy;                    // its change per pixel downward
-    vec2 uv7;                       // texture coordinate 7, t downward
-    vec2 uv7_dx;                    // its change per pixel to the right
-    vec2 uv7_dy;                    // its change per pixel downward
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
 };
 
 struct SgMaterialResult {
-    vec3 normal;                    // resolved unit normal, world axes
-    vec3 base_color;                // linear
-    float metallic;                 // 0 to 1
-    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
-    float occlusion;                // 1: open
-    vec3 emission;                  // linear radiance
-    float opacity;                  // 0 to 1
-    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
 };
 
 #endif
 
-SgMaterialResult sg_material_parallax_dents(SgMaterialInputs sg_inputs, texture2D t_height, texture2D t_weave, texture2D t_stone, sampler s_0) {
-    SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
+SgMaterialResult sg_material_parallax_dents(SgMaterialInputs sg_inputs, texture2D t_height, texture2D t_weave,
+                                            texture2D t_stone, sampler s_0) {
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
-    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
-    SgNormalDerivatives m_normal_derivatives = SgNormalDerivatives(sg_inputs.base_normal_dx, sg_inputs.base_normal_dy);
+    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy,
+                               m_base_normal);
+    SgNormalDerivatives m_normal_derivatives = SgNormalDerivatives(
+        sg_inputs.base_normal_dx, sg_inputs.base_normal_dy);
 
     // parallax: occlusion
-    SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
-    vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_function_view(sg_inputs.to_viewer, sg_inputs.position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    SgUv m_parallax_uv = sg_uv_scale(SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy), vec2(5.0, 2.0));
+    vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv,
+                                                 sg_function_view(sg_inputs.to_viewer, sg_inputs.position));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view,
+        sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
+                                                      m_normal_derivatives.dndy, m_parallax_pixels);
 
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
+    vec3 m_stones = sg_surfgrad_from_height(sg_frame_resolved(m_frame, m_parallax_moved_normal), m_seen_uv,
+                                            sg_texture_size(t_height, s_0),
+                                            0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
-    vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
-    SgFrame m_frame_3 = sg_function_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0, sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, sg_inputs.clip_w);
-    SgVolume m_object = sg_function_object_volume(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), sg_inputs.object_origin, m_frame_3);
+    vec3 m_relief_normal = sg_resolve(m_parallax_moved_normal, m_stones);
+    SgFrame m_moved_frame = sg_function_frame_rebuilt(
+        sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_relief_normal, 1.0,
+        sg_inputs.to_viewer, sg_inputs.screen_x, sg_inputs.screen_y, sg_inputs.clip_w);
 
     // dents: noise
-    vec3 m_dents_noise_gradient = -0.4 * sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 4.0), 4), 2.5).gradient;
-    vec3 m_dents_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_dents_noise_gradient);
+    vec3 m_dents = sg_gradient_to_world(
+        mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
+        -0.4 * sg_noise_power(
+            sg_volume_turbulence(
+                sg_volume_scale(
+                    sg_function_object_volume(
+                        mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
+                        sg_inputs.object_origin, m_moved_frame),
+                    4.0),
+                4),
+            2.5).gradient);
 
     // grain: triplanar
-    SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_function_world_volume(sg_inputs.camera_position, m_frame_3), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_grain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0));
-    vec2 m_grain_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0));
-    vec2 m_grain_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0));
-    vec3 m_grain_gradient = sg_triplanar_gradient(sg_triplanar_weights(m_normal, 3.0), m_grain_deriv, m_grain_deriv_2, m_grain_deriv_3, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(
+        sg_volume_scale(sg_function_world_volume(sg_inputs.camera_position, m_moved_frame), 4.0),
+        SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_grain = 0.25 * sg_triplanar_gradient(
+        sg_triplanar_weights(m_relief_normal, 3.0),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0)),
+        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0)),
+        SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    return SgMaterialResult(sg_resolve_volume(m_normal, m_dents_gradient_from_object + 0.25 * m_grain_gradient), sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0), 1.0, 0.0);
+    return SgMaterialResult(sg_resolve_volume(m_relief_normal, m_dents + m_grain),
+                            sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.85, 1.0, vec3(0.0), 1.0, 0.0);
 }

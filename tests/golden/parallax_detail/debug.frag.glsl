@@ -37,30 +37,41 @@ void main() {
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.064), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(0.08, -0.064), m_parallax_uv.st, m_parallax_view,
+        sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
-    vec3 m_parallax = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+    vec3 m_parallax_position = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
+                                                      m_normal_derivatives.dndy, m_parallax_pixels);
 
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
+    vec3 m_stones = sg_surfgrad_from_height(sg_frame_resolved(m_frame, m_parallax_moved_normal), m_seen_uv,
+                                            sg_texture_size(t_height, s_0),
+                                            0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
-    vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
-    SgFrame m_frame_3 = sg_stage_frame_rebuilt(m_parallax, m_normal, 1.0);
-    SgUv m_detail_uv0 = sg_parallax_detail_uv(m_frame, m_uv0, m_parallax_pixels, m_frame_3.dpdx, m_frame_3.dpdy);
+    vec3 m_relief_normal = sg_resolve(m_parallax_moved_normal, m_stones);
+    SgFrame m_moved_frame = sg_stage_frame_rebuilt(m_parallax_position, m_relief_normal, 1.0);
+    SgUv m_detail_uv0 = sg_parallax_detail_uv(m_frame, m_uv0, m_parallax_pixels, m_moved_frame.dpdx,
+                                              m_moved_frame.dpdy);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_detail_uv0, vec2(15.0, 6.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(0.5 * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_uv(m_frame_3, m_detail_uv0));
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        0.5 * sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_detail_uv0, vec2(15.0, 6.0))).xyz, 128.0)),
+        sg_basis_uv(m_moved_frame, m_detail_uv0));
 
-    SgUv m_detail_uv1 = sg_parallax_detail_uv(m_frame, m_uv1, m_parallax_pixels, m_frame_3.dpdx, m_frame_3.dpdy);
+    SgUv m_detail_uv1 = sg_parallax_detail_uv(m_frame, m_uv1, m_parallax_pixels, m_moved_frame.dpdx,
+                                              m_moved_frame.dpdy);
 
     // scratches: normal_map
-    vec2 m_scratches_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_scratches = sg_surfgrad_from_tbn(0.6 * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame_3, m_detail_uv1));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        0.6 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5)),
+        sg_basis_uv(m_moved_frame, m_detail_uv1));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -68,13 +79,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_normal, m_weave + m_scratches));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_relief_normal, m_weave + m_scratches));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1
     sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
     sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

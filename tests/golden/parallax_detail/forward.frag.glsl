@@ -39,31 +39,50 @@ void main() {
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.064), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(0.08, -0.064), m_parallax_uv.st, m_parallax_view,
+        sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 12.0, clamp(m_parallax_view.z, 0.0, 1.0))));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
+                                                      m_normal_derivatives.dndy, m_parallax_pixels);
 
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
+    vec3 m_stones = sg_surfgrad_from_height(sg_frame_resolved(m_frame, m_parallax_moved_normal), m_seen_uv,
+                                            sg_texture_size(t_height, s_0),
+                                            0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
-    vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
-    SgFrame m_frame_3 = sg_stage_frame_rebuilt(sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_normal, 1.0);
-    SgUv m_detail_uv0 = sg_parallax_detail_uv(m_frame, m_uv0, m_parallax_pixels, m_frame_3.dpdx, m_frame_3.dpdy);
+    vec3 m_relief_normal = sg_resolve(m_parallax_moved_normal, m_stones);
+    SgFrame m_moved_frame = sg_stage_frame_rebuilt(
+        sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height), m_relief_normal, 1.0);
+    SgUv m_detail_uv0 = sg_parallax_detail_uv(m_frame, m_uv0, m_parallax_pixels, m_moved_frame.dpdx,
+                                              m_moved_frame.dpdy);
 
     // weave: normal_map
-    vec3 m_weave_m = sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_detail_uv0, vec2(15.0, 6.0))).xyz, 128.0);
-    vec3 m_weave = sg_surfgrad_from_tbn(0.5 * sg_deriv_from_normal_xyz(m_weave_m), sg_basis_uv(m_frame_3, m_detail_uv0));
+    vec3 m_weave = sg_surfgrad_from_tbn(
+        0.5 * sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_sample(t_weave, s_0, sg_uv_scale(m_detail_uv0, vec2(15.0, 6.0))).xyz, 128.0)),
+        sg_basis_uv(m_moved_frame, m_detail_uv0));
 
-    SgUv m_detail_uv1 = sg_parallax_detail_uv(m_frame, m_uv1, m_parallax_pixels, m_frame_3.dpdx, m_frame_3.dpdy);
+    SgUv m_detail_uv1 = sg_parallax_detail_uv(m_frame, m_uv1, m_parallax_pixels, m_moved_frame.dpdx,
+                                              m_moved_frame.dpdy);
 
     // scratches: normal_map
-    vec2 m_scratches_m = sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5);
-    vec3 m_scratches = sg_surfgrad_from_tbn(0.6 * sg_deriv_from_normal_xy(m_scratches_m), sg_basis_uv(m_frame_3, m_detail_uv1));
+    vec3 m_scratches = sg_surfgrad_from_tbn(
+        0.6 * sg_deriv_from_normal_xy(
+            sg_decode_signed(sg_sample(t_scratch, s_0, sg_uv_scale(m_detail_uv1, vec2(2.0, 5.0))).xy, 127.5)),
+        sg_basis_uv(m_moved_frame, m_detail_uv1));
 
-    SgGgxSurface sg_surface = SgGgxSurface(sg_sample(t_stone, s_0, m_seen_uv).rgb, 0.0, 0.7, 1.0, vec3(0.0));
-    vec3 sg_radiance = sg_ggx_radiance(sg_surface, sg_resolve(m_normal, m_weave + m_scratches), sg_stage_lights(sg_in_position));
-    sg_out_color = vec4(sg_radiance, 1.0);
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = sg_sample(t_stone, s_0, m_seen_uv).rgb;
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.7;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve(m_relief_normal, m_weave + m_scratches),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
 }

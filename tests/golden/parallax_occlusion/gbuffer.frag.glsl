@@ -33,14 +33,20 @@ void main() {
     // parallax: occlusion
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec3 m_parallax_view = sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position));
-    SgParallax m_parallax_hit = sg_parallax_occlusion(t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)), int(mix(48.0, 16.0, clamp(m_parallax_view.z, 0.0, 1.0))));
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset));
+    SgParallax m_parallax_hit = sg_parallax_occlusion(
+        t_height, s_0, vec2(0.08, -0.08), m_parallax_uv.st, m_parallax_view,
+        sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)),
+        int(mix(48.0, 16.0, clamp(m_parallax_view.z, 0.0, 1.0))));
+    vec3 m_parallax_moved_normal = sg_parallax_normal(
+        m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy,
+        sg_parallax_pixels(m_parallax_uv, m_parallax_hit.offset));
 
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
     SgUv m_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_hit.offset);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_seen_uv, sg_texture_size(t_height, s_0), 0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
+    vec3 m_stones = sg_surfgrad_from_height(sg_frame_resolved(m_frame, m_parallax_moved_normal), m_seen_uv,
+                                            sg_texture_size(t_height, s_0),
+                                            0.08 * sg_deriv_from_height_hq(t_height, s_0, m_seen_uv));
 
     sg_out_base_color = vec4(sg_sample(t_stone, s_0, m_seen_uv).rgb, 1.0);
     sg_out_normal = vec4(sg_resolve(m_parallax_moved_normal, m_stones), 0.8);

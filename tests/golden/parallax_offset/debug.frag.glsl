@@ -29,18 +29,20 @@ void main() {
     // parallax: offset
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
     vec2 m_parallax_heights = vec2(0.05, -0.025);
-    float m_parallax_height = sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_uv.st, sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0)));
-    vec2 m_parallax_offset = sg_parallax_offset(sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)), m_parallax_height);
+    vec2 m_parallax_offset = sg_parallax_offset(
+        sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)),
+        sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_uv.st,
+                           sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0))));
     SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
-    float m_parallax_height_2 = sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_parallax_uv.st, sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_height, s_0)));
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
-    vec3 m_parallax = sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_height_2);
-    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy, m_parallax_pixels);
-
-    SgFrame m_frame_2 = sg_frame_resolved(m_frame, m_parallax_moved_normal);
+    vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
+                                                      m_normal_derivatives.dndy, m_parallax_pixels);
 
     // stones: height_map
-    vec3 m_stones = sg_surfgrad_from_height(m_frame_2, m_parallax_parallax_uv, sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
+    vec3 m_stones = sg_surfgrad_from_height(
+        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_parallax_uv,
+        sg_texture_size(t_height, s_0),
+        0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -53,6 +55,12 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, m_normal_derivatives.dndx);  // base-normal-dx
     sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_parallax);  // moved-position
+    // moved-position
+    sg_shown = sg_stage_select(
+        sg_shown, 10.0,
+        sg_parallax_position(
+            m_frame, m_parallax_pixels,
+            sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_parallax_uv.st,
+                               sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_height, s_0)))));
     sg_out_value = sg_shown;
 }

@@ -1,5 +1,6 @@
-// rain on stone: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
-// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+// rain on stone: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
 //   normal             interpolated vertex normal, world axes, any length
 //   world_position     absolute world space, world units
 //   world_position_dx  its change per pixel to the right
@@ -16,79 +17,89 @@
 #define SG_MATERIAL_TYPES
 
 struct SgMaterialInputs {
-    vec3 position;                  // relative world space (origin at the camera), world units
-    vec3 position_dx;               // its change per pixel to the right
-    vec3 position_dy;               // its change per pixel downward
-    vec3 normal;                    // interpolated vertex normal, world axes, any length
-    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
-    vec4 color;                     // interpolated vertex colour, linear
-    float facing;                   // +1 on front faces, -1 on back faces
-    float time;                     // seconds
-    vec3 object_position;           // object space, object units
-    vec3 object_position_dx;        // its change per pixel to the right
-    vec3 object_position_dy;        // its change per pixel downward
-    vec3 world_position;            // absolute world space, world units
-    vec3 world_position_dx;         // its change per pixel to the right
-    vec3 world_position_dy;         // its change per pixel downward
-    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
-    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
-    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
-    vec3 object_origin;             // the object's origin, relative world space
-    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
-    vec3 base_normal_dy;            // its change per pixel downward
-    vec3 camera_position;           // absolute world space
-    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
-    vec4 screen_y;                  // its second column
-    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
-    vec2 uv0;                       // texture coordinate 0, t downward
-    vec2 uv0_dx;                    // its change per pixel to the right
-    vec2 uv0_dy;                    // its change per pixel downward
-    vec2 uv1;                       // texture coordinate 1, t downward
-    vec2 uv1_dx;                    // its change per pixel to the right
-    vec2 uv1_dy;                    // its change per pixel downward
-    vec2 uv2;                       // texture coordinate 2, t downward
-    vec2 uv2_dx;                    // its change per pixel to the right
-    vec2 uv2_dy;                    // its change per pixel downward
-    vec2 uv3;                       // texture coordinate 3, t downward
-    vec2 uv3_dx;                    // its change per pixel to the right
-    vec2 uv3_dy;                    // its change per pixel downward
-    vec2 uv4;                       // texture coordinate 4, t downward
-    vec2 uv4_dx;                    // its change per pixel to the right
-    vec2 uv4_dy;                    // its change per pixel downward
-    vec2 uv5;                       // texture coordinate 5, t downward
-    vec2 uv5_dx;                    // its change per pixel to the right
-    vec2 uv5_dy;                    // its change per pixel downward
-    vec2 uv6;                       // texture coordinate 6, t downward
-    vec2 uv6_dx;                    // its change per pixel to the right
-    vec2 uv6_dy;                    // its change per pixel downward
-    vec2 uv7;                       // texture coordinate 7, t downward
-    vec2 uv7_dx;                    // its change per pixel to the right
-    vec2 uv7_dy;                    // its change per pixel downward
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
 };
 
 struct SgMaterialResult {
-    vec3 normal;                    // resolved unit normal, world axes
-    vec3 base_color;                // linear
-    float metallic;                 // 0 to 1
-    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
-    float occlusion;                // 1: open
-    vec3 emission;                  // linear radiance
-    float opacity;                  // 0 to 1
-    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
 };
 
 #endif
 
 SgMaterialResult sg_material_planar(SgMaterialInputs sg_inputs, texture2D t_pebble, sampler s_0) {
-    SgVolume m_world = SgVolume(sg_inputs.world_position, sg_inputs.world_position_dx, sg_inputs.world_position_dy);
-
-    // rain: planar
-    vec4 m_rain_texel = sg_sample(t_pebble, s_0, sg_volume_triplanar_uv(sg_volume_scale(m_world, 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT).y);
-    vec2 m_rain_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(m_rain_texel.xyz, 127.0)));
-    vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
-
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
     float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
-    return SgMaterialResult(sg_resolve_volume(m_base_normal, max(m_top, 0.0) * m_rain_gradient), mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0, mix(0.8, 0.35, m_top), 1.0, vec3(0.0), 1.0, 0.0);
+
+    // rain: planar
+    vec2 m_rain_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+        sg_sample(
+            t_pebble, s_0,
+            sg_volume_triplanar_uv(
+                sg_volume_scale(
+                    SgVolume(sg_inputs.world_position, sg_inputs.world_position_dx,
+                             sg_inputs.world_position_dy),
+                    1.5),
+                SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
+        127.0)));
+    vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
+                                                          m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
+
+    return SgMaterialResult(sg_resolve_volume(m_base_normal, m_rain),
+                            mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0,
+                            mix(0.8, 0.35, m_top), 1.0, vec3(0.0), 1.0, 0.0);
 }

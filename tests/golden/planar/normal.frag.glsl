@@ -18,16 +18,18 @@ layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
-    // rain: planar
-    SgTriplanarUv m_rain_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_world_position), 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_rain_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rain_planes.y).xyz, 127.0));
-    vec2 m_rain_deriv_2 = sg_deriv_green_up(m_rain_deriv);
-    vec3 m_rain_gradient = sg_triplanar_gradient(sg_axis_y(), m_rain_deriv_2, m_rain_deriv_2, m_rain_deriv_2, SG_RIGHT_HAND, SG_UPPER_LEFT);
-
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));
 
     // rain: planar
-    vec3 m_rain_scale_volgrad = max(sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0))), 0.0) * m_rain_gradient;
+    vec2 m_rain_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+        sg_stage_sample(
+            t_pebble, s_0,
+            sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_world_position), 1.5), SG_RIGHT_HAND,
+                                   SG_UPPER_LEFT).y).xyz,
+        127.0)));
+    vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
+                                                          m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
 
-    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, m_rain_scale_volgrad), 1.0);
+    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, m_rain), 1.0);
 }

@@ -19,7 +19,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_depth;
     vec3 p_paint;
     float d_cracks_multiply;
-    float d_mix;
+    float d_roughness;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
 layout(set = 1, binding = 2) uniform sampler s_0;
@@ -34,25 +34,29 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
-
-    // bumps: normal_map
-    vec3 m_bumps_m = sg_decode_signed(sg_stage_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
-    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
-
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
 
-    // cracks: noise
-    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient;
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_cracks_noise_gradient));
+    // bumps: normal_map
+    vec3 m_bumps = sg_surfgrad_from_tbn(
+        sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_stage_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5))),
+        sg_basis_uv(m_frame, m_uv0));
 
-    vec3 m_add_surfgrad = m_bumps + m_cracks;
+    // cracks: noise
+    vec3 m_cracks = sg_surfgrad_from_volume(
+        m_base_normal,
+        sg_stage_gradient_from_object(sg_material.d_cracks_multiply *
+            sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient));
+
+    vec3 m_gradient = m_bumps + m_cracks;
+
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
-    sg_shown = sg_stage_select(sg_shown, 4.0, m_add_surfgrad);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_add_surfgrad));  // normal
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
     sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_shown = sg_stage_select(sg_shown, 8.0, m_object.p);  // object-position

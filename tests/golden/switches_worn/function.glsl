@@ -1,5 +1,6 @@
-// bare reliefs: the material as a function, made by surfgradc. It takes no derivatives and reads nothing but its
-// arguments, so it may be called anywhere. Of SgMaterialInputs it reads these; the others need no value:
+// bare reliefs: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
 //   position           relative world space (origin at the camera), world units
 //   position_dx        its change per pixel to the right
 //   position_dy        its change per pixel downward
@@ -28,66 +29,66 @@
 #define SG_MATERIAL_TYPES
 
 struct SgMaterialInputs {
-    vec3 position;                  // relative world space (origin at the camera), world units
-    vec3 position_dx;               // its change per pixel to the right
-    vec3 position_dy;               // its change per pixel downward
-    vec3 normal;                    // interpolated vertex normal, world axes, any length
-    vec4 tangent;                   // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
-    vec4 color;                     // interpolated vertex colour, linear
-    float facing;                   // +1 on front faces, -1 on back faces
-    float time;                     // seconds
-    vec3 object_position;           // object space, object units
-    vec3 object_position_dx;        // its change per pixel to the right
-    vec3 object_position_dy;        // its change per pixel downward
-    vec3 world_position;            // absolute world space, world units
-    vec3 world_position_dx;         // its change per pixel to the right
-    vec3 world_position_dy;         // its change per pixel downward
-    vec3 object_x;                  // the object's x axis in world axes: a unit of object space, world units
-    vec3 object_y;                  // the object's y axis in world axes: a unit of object space, world units
-    vec3 object_z;                  // the object's z axis in world axes: a unit of object space, world units
-    vec3 object_origin;             // the object's origin, relative world space
-    vec3 base_normal_dx;            // change of the unit vertex normal per pixel to the right
-    vec3 base_normal_dy;            // its change per pixel downward
-    vec3 camera_position;           // absolute world space
-    vec4 to_viewer;                 // of a perspective camera 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
-    vec4 screen_x;                  // first column of the matrix from (x px, y px, depth, 1) to homogeneous relative world space
-    vec4 screen_y;                  // its second column
-    vec4 clip_w;                    // last row of the matrix from relative world space to clip space
-    vec2 uv0;                       // texture coordinate 0, t downward
-    vec2 uv0_dx;                    // its change per pixel to the right
-    vec2 uv0_dy;                    // its change per pixel downward
-    vec2 uv1;                       // texture coordinate 1, t downward
-    vec2 uv1_dx;                    // its change per pixel to the right
-    vec2 uv1_dy;                    // its change per pixel downward
-    vec2 uv2;                       // texture coordinate 2, t downward
-    vec2 uv2_dx;                    // its change per pixel to the right
-    vec2 uv2_dy;                    // its change per pixel downward
-    vec2 uv3;                       // texture coordinate 3, t downward
-    vec2 uv3_dx;                    // its change per pixel to the right
-    vec2 uv3_dy;                    // its change per pixel downward
-    vec2 uv4;                       // texture coordinate 4, t downward
-    vec2 uv4_dx;                    // its change per pixel to the right
-    vec2 uv4_dy;                    // its change per pixel downward
-    vec2 uv5;                       // texture coordinate 5, t downward
-    vec2 uv5_dx;                    // its change per pixel to the right
-    vec2 uv5_dy;                    // its change per pixel downward
-    vec2 uv6;                       // texture coordinate 6, t downward
-    vec2 uv6_dx;                    // its change per pixel to the right
-    vec2 uv6_dy;                    // its change per pixel downward
-    vec2 uv7;                       // texture coordinate 7, t downward
-    vec2 uv7_dx;                    // its change per pixel to the right
-    vec2 uv7_dy;                    // its change per pixel downward
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
 };
 
 struct SgMaterialResult {
-    vec3 normal;                    // resolved unit normal, world axes
-    vec3 base_color;                // linear
-    float metallic;                 // 0 to 1
-    float roughness;                // 0 to 1, perceptual: squared it is GGX's alpha
-    float occlusion;                // 1: open
-    vec3 emission;                  // linear radiance
-    float opacity;                  // 0 to 1
-    float cutoff;                   // alpha test: drop the pixel where opacity is less; 0 without one
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
 };
 
 #endif
@@ -98,25 +99,36 @@ struct SgMaterialParameters_switches_worn {
     float p_depth;
     vec3 p_paint;
     float d_cracks_multiply;
-    float d_mix;
+    float d_roughness;
 };
 
-SgMaterialResult sg_material_switches_worn(SgMaterialInputs sg_inputs, SgMaterialParameters_switches_worn sg_material, texture2D t_bumps, sampler s_0) {
+SgMaterialResult sg_material_switches_worn(SgMaterialInputs sg_inputs,
+                                           SgMaterialParameters_switches_worn sg_material, texture2D t_bumps,
+                                           sampler s_0) {
     vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
-    SgFrame m_frame = sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal);
     SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
+    SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx,
+                                 sg_inputs.object_position_dy);
 
     // bumps: normal_map
-    vec3 m_bumps_m = sg_decode_signed(sg_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
-    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
-
-    SgVolume m_object = SgVolume(sg_inputs.object_position, sg_inputs.object_position_dx, sg_inputs.object_position_dy);
+    vec3 m_bumps = sg_surfgrad_from_tbn(
+        sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5))),
+        sg_basis_uv(sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal),
+                    m_uv0));
 
     // cracks: noise
-    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient;
-    vec3 m_cracks_gradient_from_object = sg_gradient_to_world(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z), m_cracks_noise_gradient);
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, m_cracks_gradient_from_object);
+    vec3 m_cracks = sg_surfgrad_from_volume(
+        m_base_normal,
+        sg_gradient_to_world(
+            mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
+            sg_material.d_cracks_multiply *
+                sg_volume_turbulence(sg_volume_scale(m_object, 6.0), 4).gradient));
 
-    vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value));
-    return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks), mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0, sg_material.d_mix, 1.0, vec3(0.0), 1.0, 0.0);
+    float m_grain = sg_smoothstep(-0.2, 0.35, sg_volume_fractal_sum(sg_volume_scale(m_object, 9.0), 4).value);
+    vec3 m_clay = mix(vec3(0.35, 0.14, 0.08), vec3(0.55, 0.25, 0.15), m_grain);
+
+    return SgMaterialResult(sg_resolve(m_base_normal, m_bumps + m_cracks),
+                            mix(m_clay, sg_material.p_paint, sg_material.p_painted), 0.0,
+                            sg_material.d_roughness, 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -18,7 +18,7 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float p_depth;
     vec3 p_paint;
     float d_cracks_multiply;
-    float d_mix;
+    float d_roughness;
 } sg_material;
 layout(set = 1, binding = 1) uniform texture2D t_bumps;
 layout(set = 1, binding = 2) uniform sampler s_0;
@@ -31,16 +31,19 @@ layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
 
     // bumps: normal_map
-    vec3 m_bumps_m = sg_decode_signed(sg_stage_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5);
-    vec3 m_bumps = sg_surfgrad_from_tbn(sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(m_bumps_m)), sg_basis_uv(m_frame, m_uv0));
+    vec3 m_bumps = sg_surfgrad_from_tbn(
+        sg_material.p_depth * sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_stage_sample(t_bumps, s_0, sg_uv_scale(m_uv0, vec2(sg_material.p_repeats))).xyz, 127.5))),
+        sg_basis_uv(sg_stage_frame(sg_in_position, m_base_normal), m_uv0));
 
     // cracks: noise
-    vec3 m_cracks_noise_gradient = sg_material.d_cracks_multiply * sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient;
-    vec3 m_cracks = sg_surfgrad_from_volume(m_base_normal, sg_stage_gradient_from_object(m_cracks_noise_gradient));
+    vec3 m_cracks = sg_surfgrad_from_volume(
+        m_base_normal,
+        sg_stage_gradient_from_object(sg_material.d_cracks_multiply *
+            sg_volume_turbulence(sg_volume_scale(sg_stage_volume(sg_in_object_position), 6.0), 4).gradient));
 
     sg_out_normal = vec4(sg_resolve(m_base_normal, m_bumps + m_cracks), 1.0);
 }

@@ -26,24 +26,29 @@ layout(location = 0) out vec4 sg_out_value;
 void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
 
     // rock: triplanar
-    SgTriplanarUv m_rock_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 1.2), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_rock_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.x).xyz, 127.0));
-    vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
-    vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
-    vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_rock_gradient_from_object = sg_stage_gradient_from_object(m_rock_gradient);
-    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, m_rock_gradient_from_object);
+    SgTriplanarUv m_rock_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 1.2), SG_RIGHT_HAND,
+                                                         SG_UPPER_LEFT);
+    vec3 m_rock_gradient = sg_stage_gradient_from_object(sg_triplanar_gradient(
+        sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.x).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0))),
+        SG_RIGHT_HAND, SG_UPPER_LEFT));
+    vec3 m_rock = sg_surfgrad_from_volume(m_base_normal, m_rock_gradient);
 
-    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
     sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_rock);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rock_gradient_from_object));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rock_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_object.p);  // object-position
     sg_shown = sg_stage_select(sg_shown, 7.0, m_object.dx);  // object-position-dx
     sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dy);  // object-position-dy

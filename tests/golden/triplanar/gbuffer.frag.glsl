@@ -27,14 +27,20 @@ void main() {
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
 
     // rock: triplanar
-    SgTriplanarUv m_rock_planes = sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_object_position), 1.2), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec2 m_rock_deriv = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.x).xyz, 127.0));
-    vec2 m_rock_deriv_2 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0));
-    vec2 m_rock_deriv_3 = sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0));
-    vec3 m_rock_gradient = sg_triplanar_gradient(sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness), sg_deriv_green_up(m_rock_deriv), sg_deriv_green_up(m_rock_deriv_2), sg_deriv_green_up(m_rock_deriv_3), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    SgTriplanarUv m_rock_planes = sg_volume_triplanar_uv(
+        sg_volume_scale(sg_stage_volume(sg_in_object_position), 1.2), SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rock = sg_stage_gradient_from_object(sg_triplanar_gradient(
+        sg_triplanar_weights(sg_stage_object_normal(m_base_normal), sg_material.p_sharpness),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.x).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.y).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_rock_planes.z).xyz, 127.0))),
+        SG_RIGHT_HAND, SG_UPPER_LEFT));
 
     sg_out_base_color = vec4(vec3(0.42, 0.4, 0.37), 1.0);
-    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, sg_stage_gradient_from_object(m_rock_gradient)), 0.8);
+    sg_out_normal = vec4(sg_resolve_volume(m_base_normal, m_rock), 0.8);
     sg_out_surface = vec4(0.0, 1.0, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);
 }
