@@ -19,7 +19,8 @@ ObjectReader::ObjectReader(SourcePtr source, const Value& value, std::string poi
     }
     object_ = &value;
     for (const json::Member& member : value.members) {
-        if (std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
+        by_key_.emplace(member.key, &member.value);
+        if (keys.empty() || std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
         std::string hint = did_you_mean(member.key, keys);
         if (hint.empty()) hint = fmt::format(", expected {}", one_of(keys));
         error(Code::unknown_key, {member.key_span, at_.pointer + json::pointer_step(member.key)},
@@ -33,7 +34,8 @@ At ObjectReader::at(std::string_view key, const Value& value) const {
 
 const Value* ObjectReader::get(std::string_view key, bool required) {
     if (!object_) return nullptr;
-    const Value* value = object_->find(key);
+    const auto found = by_key_.find(key);
+    const Value* value = found == by_key_.end() ? nullptr : found->second;
     if (!value && required) {
         Span brace{at_.span.begin, at_.span.begin + 1};
         error(Code::missing_key, {brace, at_.pointer}, fmt::format("{} needs the key '{}'", what_, key));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/diag.hpp"
@@ -21,8 +22,8 @@ struct Range {
 
 class ObjectReader {
 public:
-    // `what` names the object in messages: "a texture". A value that is no object is reported; then every
-    // getter gives nothing and reports no more.
+    // `what` names the object in messages: "a texture". `keys`: those that may stand in it; none for any. A
+    // value that is no object is reported; then every getter gives nothing and reports no more.
     ObjectReader(SourcePtr source, const json::Value& value, std::string pointer, std::string what,
                  std::vector<std::string_view> keys, Diags& diags);
 
@@ -70,6 +71,7 @@ private:
 
     SourcePtr source_;
     const json::Value* object_ = nullptr;
+    std::unordered_map<std::string_view, const json::Value*> by_key_;  // objects may have thousands
     At at_;
     std::string what_;
     Diags& diags_;

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::string_view kGroup = "group";
 
-std::vector<std::string_view> all_keys(const Value& value) {
-    std::vector<std::string_view> keys;
-    for (const json::Member& member : value.members) keys.push_back(member.key);
-    return keys;
-}
-
 void add_names(std::vector<std::string_view>& keys, std::span<const Field> fields) {
     for (const Field& row : fields) keys.push_back(row.name);
 }
@@ -62,7 +56,7 @@ std::optional<LayerDecl> Reader::layer(const Value& value, const std::string& po
         add_names(keys, kind->fields);
         add_names(keys, layers::common_fields());
     } else if (value.kind == json::Kind::object) {
-        keys = all_keys(value);  // unknowable without a kind
+        keys = {};  // unknowable without a kind
     }
     ObjectReader reader =
         object(value, pointer, kind ? fmt::format("a layer of kind '{}'", kind->name) : "a layer", keys);
@@ -119,7 +113,7 @@ ParallaxDecl Reader::parallax(const Value& value, const std::string& pointer) {
     if (kind) {
         add_names(keys, kind->fields);
     } else if (value.kind == json::Kind::object) {
-        keys = all_keys(value);
+        keys = {};
     }
     ObjectReader reader = object(
         value, pointer, kind ? fmt::format("a parallax of kind '{}'", kind->name) : "a parallax", keys);
@@ -162,7 +156,7 @@ void Reader::node(const Value& value, const std::string& pointer, std::size_t in
     if (kind) {
         add_names(keys, kind->fields);
     } else if (value.kind == json::Kind::object) {
-        keys = all_keys(value);
+        keys = {};
     }
     ObjectReader reader =
         object(value, pointer, kind ? fmt::format("a node of kind '{}'", kind->name) : "a node", keys);
@@ -203,7 +197,7 @@ void Reader::named_nodes(ObjectReader& reader) {
     auto members = reader.named("nodes");
     if (members.empty()) return;
     const Value& whole = *reader.get("nodes");
-    ObjectReader nodes = object(whole, reader.at("nodes", whole).pointer, "nodes", all_keys(whole));
+    ObjectReader nodes = object(whole, reader.at("nodes", whole).pointer, "nodes", {});
     for (const auto& [member, pointer] : members) {
         out.nodes.push_back({.name = {member->key, {member->key_span, pointer}}});
     }
