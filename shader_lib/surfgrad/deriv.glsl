@@ -7,8 +7,8 @@ const float SG_MAX_SLOPE = 128.0;  // 89.55 degrees; every derivative stays with
 
 // A stored texel to a signed value.
 //   texel: 0..1 as sampled; zero: the 8-bit code that means 0 (127.5, 128 or 127).
-// Result: -1..1, clamped where the zero does not lie in the middle. 127.5: v/127.5 - 1; 128: (v - 128)/127; 127: (v - 127)/127. Cost: 16 instructions.
-// Source: section 3.1.
+// Result: -1..1, clamped where the zero does not lie in the middle: 127.5: v/127.5 - 1; 128: (v - 128)/127;
+// 127: (v - 127)/127. A texel outside 0..1 is not clamped at 127.5. Cost: 16 instructions. Source: section 3.1.
 vec2 sg_decode_signed(vec2 texel, float zero) {
     return zero == 127.5 ? 2.0 * texel - 1.0 : clamp((255.0 * texel - zero) / min(zero, 255.0 - zero), -1.0, 1.0);
 }
