@@ -383,7 +383,6 @@ Rows gradients_rows() {
         Row{Op::gradient_from_world, [](dvec3 g) { return g; }},
         Row{Op::scale_volgrad, [](double s, dvec3 g) { return s * g; }},
         Row{Op::add_volgrad, [](dvec3 a, dvec3 b) { return a + b; }},
-        Row{Op::mask_volgrad, ref::combine_mask},
         Row{Op::mix_volgrad, ref::combine_mix},
         // surface gradients
         Row{Op::surfgrad_from_height,

@@ -250,6 +250,7 @@ bool is_not_negative(const Rewriter& rewriter, ValueId id, int depth = 4) {
         case Op::decal_falloff_sphere:
         case Op::decal_falloff_capsule:
         case Op::decal_falloff_wedge:
+        case Op::decal_angle_fade:
             return true;
         case Op::multiply:
             return depth > 0 && is_not_negative(rewriter, value.operands[0], depth - 1) &&
@@ -268,8 +269,7 @@ ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
     ValueId factor = value.operands[1];
     if (!is_not_negative(rewriter, factor))
         factor = rewriter.add(Op::maximum, {factor, number(rewriter, ir::Type::Scalar, {0.0}, like)}, like);
-    const bool volume = value.op == Op::mask_volgrad;
-    return rewriter.add(volume ? Op::scale_volgrad : Op::scale_surfgrad, {factor, value.operands[0]}, value);
+    return rewriter.add(Op::scale_surfgrad, {factor, value.operands[0]}, value);
 }
 
 ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
@@ -387,7 +387,7 @@ std::vector<Rule> rules_of_gradients() {
         {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
         {"mask_is_a_factor",
          "a mask is a factor, not below 0: it can be multiplied with the strength",
-         {mask_surfgrad, mask_volgrad},
+         {mask_surfgrad},
          mask_is_a_factor},
         {"mix_before_projection",
          "projection is linear: a mix of two volume bumps is projected once",

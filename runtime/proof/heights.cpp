@@ -54,7 +54,6 @@ const std::vector<HeightRow>& rows() {
         {Op::gradient_from_world, HeightRule::pass},
         {Op::scale_volgrad, HeightRule::scale},
         {Op::add_volgrad, HeightRule::sum},
-        {Op::mask_volgrad, HeightRule::mask},
         {Op::mix_volgrad, HeightRule::mix},
         {Op::zero_surfgrad, HeightRule::zero},
         {Op::surfgrad_from_height, HeightRule::pass, 2},

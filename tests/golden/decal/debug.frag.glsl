@@ -46,11 +46,9 @@ void main() {
                     vec3(0.0, 2.1556633, -1.4339411), vec3(-0.44444445, -1.9184061, 2.1916993))),
         m_object.p, m_object.dx, m_object.dy);
     vec3 m_chart =
-        max(
-            sg_decal_falloff_box(m_chart_decal.local, 0.1) * sg_decal_angle_fade(
-                sg_stage_object_normal(m_base_normal), vec3(0.0, 0.81915206, 0.57357645), 0.64278764,
-                0.087155744),
-            0.0) *
+        sg_decal_falloff_box(m_chart_decal.local, 0.1) *
+        sg_decal_angle_fade(sg_stage_object_normal(m_base_normal), vec3(0.0, 0.81915206, 0.57357645),
+                            0.64278764, 0.087155744) *
         1.2 *
         sg_stage_gradient_from_object(sg_decal_gradient(
             sg_deriv_green_up(sg_deriv_from_normal_xyz(

@@ -114,13 +114,12 @@ SgMaterialResult sg_material_decal(SgMaterialInputs sg_inputs, SgMaterialParamet
                     vec3(0.0, 2.1556633, -1.4339411), vec3(-0.44444445, -1.9184061, 2.1916993))),
         m_object.p, m_object.dx, m_object.dy);
     vec3 m_chart =
-        max(
-            sg_decal_falloff_box(m_chart_decal.local, 0.1) * sg_decal_angle_fade(
-                sg_function_object_normal(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
-                                          m_base_normal),
-                vec3(0.0, 0.81915206, 0.57357645),
-                0.64278764, 0.087155744),
-            0.0) *
+        sg_decal_falloff_box(m_chart_decal.local, 0.1) *
+        sg_decal_angle_fade(
+            sg_function_object_normal(mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
+                                      m_base_normal),
+            vec3(0.0, 0.81915206, 0.57357645),
+            0.64278764, 0.087155744) *
         1.2 *
         sg_gradient_to_world(
             mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
