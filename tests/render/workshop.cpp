@@ -47,6 +47,7 @@ Made make(const Recipe& recipe, const target::ShaderLibrary& library) {
     request.entries = recipe.entries;
     request.optimise_ir = recipe.optimise;
     request.numbers = recipe.numbers;
+    request.skipped_rule = recipe.skipped_rule;
     request.spirv.optimise = recipe.optimise ? target::Optimise::speed : target::Optimise::none;
     Diags diags;
     auto compiled = compile_material(request, files, library, diags);

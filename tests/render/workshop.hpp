@@ -18,6 +18,7 @@ struct Recipe {
     std::vector<std::string> entries = {"normal"};
     bool optimise = true;  // both the IR and SPIR-V
     layers::Numbers numbers = layers::Numbers::baked;
+    std::string skipped_rule = {};  // of the optimiser
 };
 
 struct Made {
