@@ -18,7 +18,9 @@ using ir::Output;
 std::vector<Varying> varyings_of(const ir::Module& module) {
     std::vector<Varying> out;
     for (const ir::Value& value : module.values) {
-        if (is_varying(value.op)) out.push_back({value.op, value.op == Op::uv_set ? value.index : 0});
+        // A place in the world is the position and the camera's.
+        const Op source = value.op == Op::volume_world ? Op::position : value.op;
+        if (is_varying(source)) out.push_back({source, source == Op::uv_set ? value.index : 0});
     }
     std::sort(out.begin(), out.end(),
               [](const Varying& a, const Varying& b) { return varying_location(a) < varying_location(b); });
@@ -46,7 +48,6 @@ std::string include_lines(const std::set<std::string_view>& includes) {
 std::string vertex_value(const Varying& v) {
     if (v.source == Op::position) return "sg_relative_position";
     std::string attribute = fmt::format("sg_vertex_{}", vertex_input(v).name);
-    if (v.source == Op::volume_world) return fmt::format("sg_stage_world_position({})", attribute);
     bool as_it_is = v.source == Op::uv_set || v.source == Op::vertex_color || v.source == Op::volume_object;
     return as_it_is ? attribute : fmt::format("sg_stage_{}({})", vertex_input(v).name, attribute);
 }
@@ -187,7 +188,8 @@ Used used_by(const ir::Module& module) {
         used.parameters |= reads_block(attribute);
         std::string_view include = ir::info(value.op).include;
         bool moved = include == "stage/moved.glsl";
-        used.frame_block |= value.op == Op::time || include == "stage/view.glsl" || moved;
+        used.frame_block |=
+            value.op == Op::time || include == "stage/view.glsl" || include == "stage/world.glsl" || moved;
         used.object_block |= (value.op != Op::time && include == "stage/object.glsl") || moved;
         if (attribute == ir::Attribute::Function) used.shaders.insert(module.functions[value.index].shader);
         for (std::uint32_t texture : ir::textures_of(module, value)) {

@@ -90,7 +90,6 @@ bool is_varying(ir::Op op) {
         case ir::Op::vertex_color:
         case ir::Op::uv_set:
         case ir::Op::volume_object:
-        case ir::Op::volume_world:
             return true;
         default:
             return false;
@@ -123,16 +122,14 @@ std::vector<VertexInput> vertex_inputs(std::span<const Varying> varyings) {
     return out;
 }
 
-// The numbers of the vertex attributes; the further forms of the position stand behind them.
+// The numbers of the vertex attributes; the position in object space stands behind them.
 std::uint32_t varying_location(const Varying& varying) {
     if (varying.source == ir::Op::volume_object) return 12;
-    if (varying.source == ir::Op::volume_world) return 13;
     return vertex_input(varying).location;
 }
 
 std::string_view varying_name(const Varying& varying) {
     if (varying.source == ir::Op::volume_object) return "object_position";
-    if (varying.source == ir::Op::volume_world) return "world_position";
     return vertex_input(varying).name;
 }
 

@@ -14,10 +14,7 @@ vec3 sg_stage_unit(vec3 v) {
 // Object space to relative world space, world units.
 vec3 sg_stage_position(vec3 position) { return (sg_object_block.relative_from_object * vec4(position, 1.0)).xyz; }
 
-// Object space to absolute world space, world units.
-vec3 sg_stage_world_position(vec3 position) { return (sg_object_block.world_from_object * vec4(position, 1.0)).xyz; }
-
-// The unit normal in world axes; cofactors keep it perpendicular under non-uniform scale.
+// The unit normal in world axes; the inverse transpose keeps it perpendicular under non-uniform scale.
 vec3 sg_stage_normal(vec3 normal) { return sg_stage_unit(mat3(sg_object_block.normal_from_object) * normal); }
 
 // The unit tangent in world axes; w keeps B = w * cross(N, T) towards +t in mirrored instances.

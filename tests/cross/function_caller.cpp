@@ -25,7 +25,7 @@ struct Dialect {
 // Downward: GL's y points up.
 Dialect dialect_of(const target::Target& target) {
     constexpr const char *kTime = "sg_frame_block.time_view.x",
-                         *kColumn = "sg_object_block.world_from_object[{}].xyz",
+                         *kColumn = "sg_object_block.relative_from_object[{}].xyz",
                          *kColor = "sg_out_color = vec4({}, 1.0);";
     switch (target.language) {
         case Language::spirv:
@@ -51,7 +51,7 @@ Dialect dialect_of(const target::Target& target) {
                     "ddx_fine({})",
                     "ddy_fine({})",
                     "sg_frame_block_time_view.x",
-                    "sg_object_block_world_from_object[{}].xyz",
+                    "sg_object_block_relative_from_object[{}].xyz",
                     "sg_material_{}",
                     "sg_out_color = float4({}, 1.0f);",
                     "discard",
@@ -78,10 +78,7 @@ std::string with(const char* pattern, std::string_view value) {
 // What only parallax asks for; "" for other inputs.
 std::string camera_value(const std::string& name, const Dialect& dialect, const std::string& vector) {
     const std::string unit = "normalize(" + with(dialect.input, "normal") + ")";
-    if (name == "object_origin") {
-        const std::string column = with(dialect.column, "3");
-        return column + " - " + dialect.frame("camera_position") + ".xyz";
-    }
+    if (name == "object_origin") return with(dialect.column, "3");
     if (name == "base_normal_dx") return with(dialect.dx, unit);
     if (name == "base_normal_dy") return with(dialect.dy, unit);
     if (name == "camera_position") return dialect.frame("camera_position") + ".xyz";
@@ -103,8 +100,13 @@ std::string input_value(const std::string& name, const Dialect& dialect, const s
     if (name.size() == 8 && name.starts_with("object_"))
         return with(dialect.column, std::to_string(name.back() - 'x'));
     const bool along_x = name.ends_with("_dx"), along_y = name.ends_with("_dy");
-    const std::string value = with(dialect.input, name.substr(0, name.size() - (along_x || along_y ? 3 : 0)));
-    return along_x ? with(dialect.dx, value) : along_y ? with(dialect.dy, value) : value;
+    std::string source = name.substr(0, name.size() - (along_x || along_y ? 3 : 0));
+    const bool world = source == "world_position";
+    if (world) source = "position";
+    const std::string value = with(dialect.input, source);
+    if (along_x) return with(dialect.dx, value);
+    if (along_y) return with(dialect.dy, value);
+    return world ? value + " + " + dialect.frame("camera_position") + ".xyz" : value;
 }
 
 std::string body_of(const nlohmann::json& function, const target::Target& target, const Dialect& dialect) {

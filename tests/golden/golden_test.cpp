@@ -117,8 +117,8 @@ TEST_P(Sample, NoDerivativeInstructionStandsBehindAnAlphaTest) {
     for (const NamedText& t : compile(GetParam()).glsl) {
         const std::size_t discarded = t.text.find("discard;");
         if (discarded == t.text.npos) continue;
-        for (const char* call : {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_frame(",
-                                 "sg_stage_normal_derivatives(", "sg_stage_sample("}) {
+        for (const char* call : {"sg_stage_uv(", "sg_stage_volume(", "sg_stage_volume_in_world(",
+                                 "sg_stage_frame(", "sg_stage_normal_derivatives(", "sg_stage_sample("}) {
             const std::size_t last = t.text.rfind(call);
             EXPECT_TRUE(last == t.text.npos || last < discarded) << t.name << ": " << call;
         }

@@ -5,6 +5,7 @@
 #include "stage/debug.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
@@ -50,7 +51,6 @@ layout(location = 2) in vec4 sg_in_tangent;
 layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 12) in vec3 sg_in_object_position;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
@@ -58,7 +58,7 @@ void main() {
     vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgVolume m_world = sg_stage_volume_in_world(sg_in_position);
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
     SgBasis m_basis_vertex = sg_basis_vertex(sg_in_normal, sg_in_tangent);
 

@@ -6,6 +6,7 @@
 #include "stage/forward.glsl"
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
@@ -52,14 +53,13 @@ layout(location = 2) in vec4 sg_in_tangent;
 layout(location = 4) in vec2 sg_in_uv0;
 layout(location = 5) in vec2 sg_in_uv1;
 layout(location = 12) in vec3 sg_in_object_position;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_color;
 
 void main() {
     SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
     vec3 m_base_normal = sg_mirror_normal(sg_base_normal(sg_in_normal), sg_stage_facing());
     SgUv m_uv1 = sg_stage_uv(sg_in_uv1);
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgVolume m_world = sg_stage_volume_in_world(sg_in_position);
 
     // weave: normal_map
     vec3 m_weave = sg_surfgrad_from_tbn(

@@ -15,7 +15,6 @@ layout(location = 2) out vec4 sg_out_tangent;
 layout(location = 4) out vec2 sg_out_uv0;
 layout(location = 5) out vec2 sg_out_uv1;
 layout(location = 12) out vec3 sg_out_object_position;
-layout(location = 13) out vec3 sg_out_world_position;
 
 void main() {
     vec3 sg_relative_position = sg_stage_position(sg_vertex_position);
@@ -25,6 +24,5 @@ void main() {
     sg_out_uv0 = sg_vertex_uv0;
     sg_out_uv1 = sg_vertex_uv1;
     sg_out_object_position = sg_vertex_position;
-    sg_out_world_position = sg_stage_world_position(sg_vertex_position);
     gl_Position = sg_stage_clip(sg_relative_position);
 }

@@ -4,6 +4,7 @@
 
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/combine.glsl"
 #include "surfgrad/decal.glsl"
 #include "surfgrad/deriv.glsl"
@@ -22,15 +23,15 @@ layout(set = 1, binding = 3) uniform texture2D t_pebble;
 layout(set = 1, binding = 5) uniform texture2D t_moss;
 layout(set = 1, binding = 6) uniform sampler s_0;
 
+layout(location = 0) in vec3 sg_in_position;
 layout(location = 1) in vec3 sg_in_normal;
 layout(location = 12) in vec3 sg_in_object_position;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
     SgVolume m_object = sg_stage_volume(sg_in_object_position);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgVolume m_world = sg_stage_volume_in_world(sg_in_position);
 
     // grain: noise
     vec3 m_grain = sg_stage_gradient_from_object(

@@ -4,6 +4,7 @@
 
 #include "stage/fragment.glsl"
 #include "stage/object.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/resolve.glsl"
@@ -14,9 +15,9 @@ layout(set = 1, binding = 0, std140) uniform SgMaterialBlock {
     float d_dents_multiply;
 } sg_material;
 
+layout(location = 0) in vec3 sg_in_position;
 layout(location = 1) in vec3 sg_in_normal;
 layout(location = 12) in vec3 sg_in_object_position;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
@@ -32,7 +33,7 @@ void main() {
 
     // grain: noise
     vec3 m_grain = 0.1125 *
-        sg_volume_perlin(sg_volume_scale(sg_stage_volume(sg_in_world_position), 45.0)).gradient;
+        sg_volume_perlin(sg_volume_scale(sg_stage_volume_in_world(sg_in_position), 45.0)).gradient;
 
     sg_out_normal = vec4(sg_resolve_volume(sg_base_normal(sg_in_normal), m_forms + m_dents + m_grain), 1.0);
 }

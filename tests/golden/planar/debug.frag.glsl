@@ -4,6 +4,7 @@
 
 #include "stage/debug.glsl"
 #include "stage/fragment.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_volume.glsl"
@@ -17,11 +18,10 @@ layout(set = 1, binding = 2) uniform sampler s_0;
 
 layout(location = 0) in vec3 sg_in_position;
 layout(location = 1) in vec3 sg_in_normal;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_value;
 
 void main() {
-    SgVolume m_world = sg_stage_volume(sg_in_world_position);
+    SgVolume m_world = sg_stage_volume_in_world(sg_in_position);
     vec3 m_base_normal = sg_base_normal(sg_in_normal);
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
     float m_top = sg_smoothstep(0.2, 0.8, dot(m_base_normal, vec3(0.0, 1.0, 0.0)));

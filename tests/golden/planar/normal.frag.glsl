@@ -3,6 +3,7 @@
 // rain on stone: fragment shader of the entry point 'normal', made by surfgradc.
 
 #include "stage/fragment.glsl"
+#include "stage/world.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/number.glsl"
@@ -13,8 +14,8 @@
 layout(set = 1, binding = 1) uniform texture2D t_pebble;
 layout(set = 1, binding = 2) uniform sampler s_0;
 
+layout(location = 0) in vec3 sg_in_position;
 layout(location = 1) in vec3 sg_in_normal;
-layout(location = 13) in vec3 sg_in_world_position;
 layout(location = 0) out vec4 sg_out_normal;
 
 void main() {
@@ -25,8 +26,8 @@ void main() {
     vec2 m_rain_deriv = sg_deriv_green_up(sg_deriv_from_normal_xyz(sg_decode_signed(
         sg_stage_sample(
             t_pebble, s_0,
-            sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume(sg_in_world_position), 1.5), SG_RIGHT_HAND,
-                                   SG_UPPER_LEFT).y).xyz,
+            sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume_in_world(sg_in_position), 1.5),
+                                   SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
         127.0)));
     vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
                                                           m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);

@@ -191,13 +191,15 @@ TEST(Ir, VerifierRefusesScreenDerivativesBehindParallax) {
 
 // The flag of an operation is what its GLSL does.
 TEST(Ir, ScreenDerivativesAreTakenWhereTheFlagSaysSo) {
-    const std::string stage = test::read_file(test::source_dir() / "shader_lib/stage/fragment.glsl");
     for (const OpInfo& op : all_ops()) {
         bool takes = false;
-        if (op.include == "stage/fragment.glsl") {
+        if (op.include == "stage/fragment.glsl" || op.include == "stage/world.glsl") {
+            const std::string stage =
+                test::read_file(test::source_dir() / "shader_lib" / std::string(op.include));
             const std::size_t begin = stage.find(op.glsl.substr(0, op.glsl.find('(') + 1));
             ASSERT_NE(begin, stage.npos) << op.name;
-            takes = stage.substr(begin, stage.find('}', begin) - begin).find("dFd") != stage.npos;
+            const std::string body = stage.substr(begin, stage.find('}', begin) - begin);
+            takes = body.find("dFd") != body.npos || body.find("sg_stage_volume(") != body.npos;
         }
         EXPECT_EQ(takes_screen_derivatives(op.op), takes) << op.name;
     }
