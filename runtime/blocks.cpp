@@ -1,5 +1,8 @@
 #include "runtime/blocks.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sg::runtime {
 
 FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, double height, double time,
@@ -26,17 +29,24 @@ bool is_mirrored(const glm::mat4& world_from_object) {
     return glm::determinant(glm::dmat3(glm::dmat4(world_from_object))) < 0;
 }
 
+// As artefacts.md says. Beyond 1e15 the vertex stage's squares would leave a float's range.
+glm::dmat3 normal_matrix(const glm::dmat3& m) {
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const double det = glm::dot(m[0], cofactors[0]);
+    const double lengths = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(cofactors[column][row]));
+    const bool invertible = std::abs(det) > 1e-6 * lengths && largest < 1e15 * std::abs(det);
+    return cofactors * (invertible ? 1 / det : det < 0 ? -1.0 : 1.0);
+}
+
 ObjectBlock object_block(const Camera& camera, const glm::mat4& world_from_object) {
     glm::dmat4 relative(world_from_object);
     relative[3] -= glm::dvec4(camera.position, 0);
-    glm::dvec3 x(relative[0]), y(relative[1]), z(relative[2]);
-    double sign = is_mirrored(world_from_object) ? -1 : 1;
-    glm::dmat4 normal(0);
-    normal[0] = glm::dvec4(glm::cross(y, z) * sign, 0);
-    normal[1] = glm::dvec4(glm::cross(z, x) * sign, 0);
-    normal[2] = glm::dvec4(glm::cross(x, y) * sign, 0);
-    normal[3][3] = sign;
-    return {glm::mat4(relative), world_from_object, glm::mat4(normal)};
+    glm::dmat4 normal(normal_matrix(glm::dmat3(relative)));
+    normal[3][3] = is_mirrored(world_from_object) ? -1 : 1;
+    return {glm::mat4(relative), glm::mat4(normal)};
 }
 
 }  // namespace sg::runtime

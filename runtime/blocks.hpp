@@ -23,10 +23,9 @@ static_assert(sizeof(FrameBlock) == 224 && offsetof(FrameBlock, camera_position)
 
 struct ObjectBlock {
     glm::mat4 relative_from_object;
-    glm::mat4 world_from_object;
     glm::mat4 normal_from_object;
 };
-static_assert(sizeof(ObjectBlock) == 192);
+static_assert(sizeof(ObjectBlock) == 128);
 
 // `time` in seconds; `view` is the number of a debug view. Width and height in pixels, of what is drawn.
 FrameBlock frame_block(const Scene& scene, const Bounds& bounds, double width, double height, double time,

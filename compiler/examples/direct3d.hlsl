@@ -7,8 +7,7 @@
 cbuffer Camera : register(b0, space0) { float4x4 clip_from_relative; };
 cbuffer Object : register(b0, space2) {
     float4x4 relative_from_object;
-    float4x4 world_from_object;
-    float4x4 normal_from_object;  // cofactors of the first, times the sign of its determinant, which _44 holds too
+    float4x4 normal_from_object;  // inverse transpose of the first; _44: the sign of its determinant
 };
 
 // Offsets as in the manifest's parameter_block. HLSL would pack the struct more tightly than that.

@@ -12,8 +12,7 @@ struct Camera {
 
 struct Object {
     float4x4 relative_from_object;
-    float4x4 world_from_object;
-    float4x4 normal_from_object;  // cofactors of the first, times the sign of its determinant, which [3][3] holds too
+    float4x4 normal_from_object;  // inverse transpose of the first; [3][3]: the sign of its determinant
 };
 
 struct Vertex {

@@ -4,8 +4,7 @@
 layout(set = 0, binding = 0) uniform Camera { mat4 clip_from_relative; } camera;
 layout(set = 2, binding = 0) uniform Object {
     mat4 relative_from_object;
-    mat4 world_from_object;
-    mat4 normal_from_object;  // cofactors of the first, times the sign of its determinant, which [3][3] holds too
+    mat4 normal_from_object;  // inverse transpose of the first; [3][3]: the sign of its determinant
 } object;
 
 layout(location = 0) in vec3 vertex_position;

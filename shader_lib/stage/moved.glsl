@@ -18,13 +18,11 @@ SgVolume sg_stage_world_volume(SgFrame frame) {
     return SgVolume(frame.position + sg_frame_block.camera_position.xyz, frame.dpdx, frame.dpdy);
 }
 
-// The frame's point in object space, with its footprint; zero for a matrix that flattens.
+// The frame's point in object space, with its footprint; of a matrix that flattens no meaning is left.
 SgVolume sg_stage_object_volume(SgFrame frame) {
-    mat4 object = sg_object_block.relative_from_object;
-    mat3 cofactors = mat3(sg_object_block.normal_from_object);  // of the sign of the determinant
-    float det = dot(object[0].xyz, cofactors[0]);
-    mat3 rows = (det > 0.0 ? 1.0 / det : 0.0) * cofactors;  // v * rows = M^-1 v
-    return SgVolume((frame.position - object[3].xyz) * rows, frame.dpdx * rows, frame.dpdy * rows);
+    mat3 rows = mat3(sg_object_block.normal_from_object);  // v * rows = M^-1 v
+    vec3 from_origin = frame.position - sg_object_block.relative_from_object[3].xyz;
+    return SgVolume(from_origin * rows, frame.dpdx * rows, frame.dpdy * rows);
 }
 
 #endif

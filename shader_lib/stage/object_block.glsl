@@ -4,7 +4,6 @@
 
 layout(set = 2, binding = 0, std140) uniform SgObjectBlock {
     mat4 relative_from_object;
-    mat4 world_from_object;
     mat4 normal_from_object;
 } sg_object_block;
 

@@ -83,7 +83,6 @@ TEST(Contract, TheRendererFillsBlocksAsDocumented) {
                     {"size", sizeof(runtime::FrameBlock)}};
     EXPECT_EQ(frame, documented("SgFrameBlock"));
     Layout object = {SG_FIELD(ObjectBlock, relative_from_object),
-                     SG_FIELD(ObjectBlock, world_from_object),
                      SG_FIELD(ObjectBlock, normal_from_object),
                      {"size", sizeof(runtime::ObjectBlock)}};
     EXPECT_EQ(object, documented("SgObjectBlock"));

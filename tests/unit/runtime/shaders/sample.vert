@@ -3,7 +3,6 @@
 #include "sample_blocks.glsl"
 layout(set = 2, binding = 0, std140) uniform SgObjectBlock {
     mat4 relative_from_object;
-    mat4 world_from_object;
     mat4 normal_from_object;
 } object;
 layout(location = 0) in vec3 position;
