@@ -60,6 +60,10 @@ public:
     [[nodiscard]] const ir::Parameter& parameter(const ir::Value& value) const {
         return module_.parameters[value.index];
     }
+    // What a value of Op::sample reads.
+    [[nodiscard]] const ir::Texture& texture(const ir::Value& value) const {
+        return module_.textures[value.index];
+    }
     [[nodiscard]] const ir::Derived& derived(const ir::Value& value) const {
         return module_.derived[value.index];
     }

@@ -234,30 +234,49 @@ ValueId resolve_towards_normal(Rewriter& rewriter, const Value& value) {
 
 // ---- masks and mixes ----
 
-// At most so many operations are looked through.
-bool is_not_negative(const Rewriter& rewriter, ValueId id, int depth = 4) {
+bool is_constant_within(const Rewriter& rewriter, ValueId id, double least, double most) {
     const Value& value = rewriter.at(id);
+    return value.op == Op::constant && value.number[0] >= least && value.number[0] <= most;
+}
+
+// Within 0 to 1 whatever the pixel shows. At most so many operations are looked through.
+bool is_share(const Rewriter& rewriter, ValueId id, int depth = 4) {
+    const Value& value = rewriter.at(id);
+    auto share = [&](std::size_t operand) {
+        return depth > 0 && is_share(rewriter, value.operands[operand], depth - 1);
+    };
     switch (value.op) {
         case Op::constant:
-            return value.number[0] >= 0;
+            return value.number[0] >= 0 && value.number[0] <= 1;
         case Op::parameter: {
             const auto& range = rewriter.parameter(value).range;
-            return range && (*range)[0] >= 0;
+            return range && (*range)[0] >= 0 && (*range)[1] <= 1;
         }
-        case Op::channel:  // of a texel, 0 to 1
+        case Op::channel: {  // artefacts.md: what texels hold
+            const Value* texel = &rewriter.at(value.operands[0]);
+            if (texel->op == Op::swizzle) texel = &rewriter.at(texel->operands[0]);
+            if (texel->op != Op::sample) return false;
+            const ir::TextureEncoding encoding = rewriter.texture(*texel).encoding;
+            return encoding == ir::TextureEncoding::mask ||
+                   (encoding == ir::TextureEncoding::color && value.index == 3);
+        }
         case Op::decal_falloff_box:
         case Op::decal_falloff_cone:
         case Op::decal_falloff_sphere:
         case Op::decal_falloff_capsule:
         case Op::decal_falloff_wedge:
         case Op::decal_angle_fade:
+        case Op::smoothstep:
             return true;
+        case Op::clamp:
+            return is_constant_within(rewriter, value.operands[1], 0, 1) &&
+                   is_constant_within(rewriter, value.operands[2], 0, 1);
         case Op::multiply:
-            return depth > 0 && is_not_negative(rewriter, value.operands[0], depth - 1) &&
-                   is_not_negative(rewriter, value.operands[1], depth - 1);
+        case Op::minimum:
         case Op::maximum:
-            return depth > 0 && (is_not_negative(rewriter, value.operands[0], depth - 1) ||
-                                 is_not_negative(rewriter, value.operands[1], depth - 1));
+            return share(0) && share(1);
+        case Op::mix:
+            return share(0) && share(1) && share(2);
         default:
             return false;
     }
@@ -267,8 +286,11 @@ bool is_not_negative(const Rewriter& rewriter, ValueId id, int depth = 4) {
 ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
     const Value like = unnamed(value);
     ValueId factor = value.operands[1];
-    if (!is_not_negative(rewriter, factor))
-        factor = rewriter.add(Op::maximum, {factor, number(rewriter, ir::Type::Scalar, {0.0}, like)}, like);
+    if (!is_share(rewriter, factor)) {
+        const ValueId none = number(rewriter, ir::Type::Scalar, {0.0}, like),
+                      all = number(rewriter, ir::Type::Scalar, {1.0}, like);
+        factor = rewriter.add(Op::clamp, {factor, none, all}, like);
+    }
     return rewriter.add(Op::scale_surfgrad, {factor, value.operands[0]}, value);
 }
 
@@ -386,7 +408,7 @@ std::vector<Rule> rules_of_gradients() {
          one_projection},
         {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
         {"mask_is_a_factor",
-         "a mask is a factor, not below 0: it can be multiplied with the strength",
+         "a mask is a factor from 0 to 1: it can be multiplied with the strength",
          {mask_surfgrad},
          mask_is_a_factor},
         {"mix_before_projection",

@@ -1,4 +1,5 @@
 // Materials that mean the same, written in two ways, and what a material must come to: by the interpreter.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -130,6 +131,21 @@ TEST(EqualMaterials, AColoursAlphaCutsAsAMaskDoes) {
     const std::string decal =
         R"({ "layers": [ { "kind": "decal", "texture": "n", "size": [3, 3, 3], "cutout": "cut" } ] })";
     EXPECT_GT(same(Meaning(material(decal, "mask")), Meaning(material(decal, "color"))), 100);
+}
+
+// Between nothing and all of a bump.
+TEST(EqualMaterials, AMaskBeyondOneShowsAll) {
+    auto bump = [](const std::string& mask) {
+        return material(R"({ "layers": [ { "kind": "normal_map", "texture": "n", "mask": )" + mask +
+                        " } ] }");
+    };
+    auto node = [&](double value) {
+        return bump(R"({ "op": "add", "a": 0, "b": )" + std::to_string(value) + " }");
+    };
+    const Meaning whole(bump("1"));
+    EXPECT_GT(same(whole, Meaning(node(4))), 100);
+    EXPECT_EQ(same(Meaning(bump("0")), Meaning(node(-4))), 0);
+    EXPECT_GT(different(whole, Meaning(bump("0.5"))), 100);
 }
 
 const std::string kFirst =

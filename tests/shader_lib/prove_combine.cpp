@@ -58,7 +58,7 @@ std::vector<Case> gradient_cases() {
          .draw = draw_gradients,
          .reference = [](const In& in, Expect& out) { out.put(0, ref::combine_mask(in.v3(0), in[6])); },
          .bound = {.absolute = 1e-30, .relative = 2 * kUlp},  // one product
-         .mutants = {{kFile, "mask > 0.0 ? mask * g", "mask > 0.0 ? g"}}},
+         .mutants = {{kFile, "min(mask, 1.0) * g", "g"}}},
         {.name = "combine_mask_hides_anything",
          .include = kFile,
          .inputs = 4,
@@ -71,7 +71,7 @@ std::vector<Case> gradient_cases() {
              },
          .reference = [](const In&, Expect& out) { out.put(0, glm::dvec3(0.0)); },
          .bound = {.absolute = 1e-30},
-         .mutants = {{kFile, "mask > 0.0 ? mask * g : vec3(0.0)", "mask * g"}}},
+         .mutants = {{kFile, "mask > 0.0 ? min(mask, 1.0) * g : vec3(0.0)", "mask * g"}}},
         {.name = "combine_mix",
          .include = kFile,
          .inputs = 7,

@@ -11,7 +11,8 @@ dvec3 combine_scale(dvec3 g, double strength) {
     return g * strength;
 }
 dvec3 combine_mask(dvec3 g, double mask) {
-    return mask > 0.0 ? g * mask : dvec3(0.0);
+    if (!(mask > 0.0)) return dvec3(0.0);
+    return mask < 1.0 ? g * mask : g;
 }
 
 dvec3 combine_mix(dvec3 a, dvec3 b, double t) {
