@@ -46,7 +46,7 @@ std::span<const EntryPoint> all_entry_points() {
          "one of the values inside the shader, chosen by a uniform",
          {{"value", "", "the view's numbers"}},
          {frame, normal, gradient, basis_vertex, vertex_color, uv, volume, normal_derivatives, moved_position,
-          moved_uv, opacity, cutoff},
+          moved_uv, layer, opacity, cutoff},
          {"stage/debug.glsl"},
          false,
          true,

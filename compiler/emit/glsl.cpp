@@ -82,7 +82,8 @@ std::string material_declarations(const MaterialInterface& material, bool used_p
 void debug_view(std::string& out, EntryInterface& interface, std::string name, std::uint32_t components,
                 std::string_view kind, const std::string& value) {
     auto number = static_cast<std::uint32_t>(interface.views.size());
-    out += fmt::format("    sg_shown = sg_stage_select(sg_shown, {}.0, {});  // {}\n", number, value, name);
+    out += fmt::format("    sg_shown = sg_stage_select(sg_shown, {}.0, {});  // {}\n", number, value,
+                       comment_text(name));
     interface.views.push_back({std::move(name), number, components, kind});
 }
 
@@ -120,6 +121,8 @@ std::string debug_tail(const ir::Module& module, const Body& body, EntryInterfac
         } else if (output.output == Output::moved_uv) {
             debug_view(out, interface, fmt::format("moved-uv{}", output.set), 2, "uv",
                        fmt::format("vec3({}.st, 0.0)", value));
+        } else if (output.output == Output::layer) {
+            debug_view(out, interface, "layer:" + module.layers[output.set].id, 3, "vector", value);
         }
     }
     return out + "    sg_out_value = sg_shown;\n";

@@ -137,7 +137,8 @@ private:
         bool tested_and_shown = wording_ == stage_wording && module_.output(ir::Output::cutoff).valid() &&
                                 module_.output(ir::Output::base_color).valid();
         for (const ir::OutputBinding& output : module_.outputs) {
-            bool taken_apart = output.output == ir::Output::frame || is_numbered(output.output) ||
+            bool taken_apart = output.output == ir::Output::frame ||
+                               (is_numbered(output.output) && output.output != ir::Output::layer) ||
                                output.output == ir::Output::normal_derivatives ||
                                output.output == ir::Output::basis_vertex;
             if (output.output == ir::Output::opacity) taken_apart = tested_and_shown;

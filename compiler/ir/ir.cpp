@@ -53,6 +53,7 @@ constexpr OutputRow kOutputs[] = {
     {Output::normal_derivatives, "normal_derivatives", Type::NormalDerivatives},
     {Output::moved_position, "moved_position", Type::Position},
     {Output::moved_uv, "moved_uv", Type::Uv},
+    {Output::layer, "layer", Type::SurfGrad},
 };
 constexpr Output kOutputOrder[] = {Output::normal,
                                    Output::base_color,
@@ -72,7 +73,8 @@ constexpr Output kOutputOrder[] = {Output::normal,
                                    Output::volume,
                                    Output::normal_derivatives,
                                    Output::moved_position,
-                                   Output::moved_uv};
+                                   Output::moved_uv,
+                                   Output::layer};
 constexpr std::string_view kEncodings[] = {
     "tangent_normal", "tangent_normal_xy", "derivative", "object_normal", "world_normal", "height", "color",
     "mask",           "parallax_map"};
@@ -121,7 +123,8 @@ std::span<const OpInfo> all_ops() {
 }
 
 bool is_numbered(Output output) {
-    return output == Output::uv || output == Output::volume || output == Output::moved_uv;
+    return output == Output::uv || output == Output::volume || output == Output::moved_uv ||
+           output == Output::layer;
 }
 std::string_view output_name(Output output) {
     return kOutputs[static_cast<std::size_t>(output)].name;

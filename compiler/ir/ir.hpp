@@ -187,13 +187,14 @@ enum class Output : std::uint8_t {
     volume,
     normal_derivatives,
     moved_position,
-    moved_uv
+    moved_uv,
+    layer  // what one layer adds by itself, under its mask
 };
 
 struct OutputBinding {
     Output output{};
     std::uint32_t set =
-        0;  // of Output::uv and moved_uv: which uv set; of Output::volume: 0 object space, 1 world space
+        0;  // of uv and moved_uv: which uv set; of volume: 0 object space, 1 world space; of layer: which
     ValueId value;
     bool operator==(const OutputBinding&) const = default;
 };

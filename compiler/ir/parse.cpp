@@ -205,10 +205,14 @@ private:
             layer_ = {};
             return;
         }
+        layer_ = named_layer(in);
+    }
+
+    LayerId named_layer(LineReader& in) {
         Layer found{in.quoted('"'), std::string(in.word())};
         auto i = index_of(module.layers, found.id, [](const Layer& l) { return std::string_view(l.id); });
         if (!i) module.layers.push_back(found);
-        layer_ = {static_cast<std::uint32_t>(i.value_or(module.layers.size() - 1))};
+        return {static_cast<std::uint32_t>(i.value_or(module.layers.size() - 1))};
     }
 
     void output(LineReader& in) {
@@ -216,7 +220,11 @@ private:
         auto i = index_of(all_outputs(), word, [](Output o) { return output_name(o); });
         if (!i) return in.fail(fmt::format("unknown output '{}'", word));
         OutputBinding binding{.output = all_outputs()[*i]};
-        if (is_numbered(binding.output)) binding.set = in.number<std::uint32_t>();
+        if (binding.output == Output::layer) {
+            binding.set = named_layer(in).index;
+        } else if (is_numbered(binding.output)) {
+            binding.set = in.number<std::uint32_t>();
+        }
         in.expect('=');
         binding.value = in.value_id();
         module.outputs.push_back(binding);

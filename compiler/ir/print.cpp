@@ -87,6 +87,10 @@ std::string print(const Module& module) {
     }
     for (const OutputBinding& binding : module.outputs) {
         std::string set = is_numbered(binding.output) ? fmt::format(" {}", binding.set) : "";
+        if (binding.output == Output::layer) {
+            const Layer& layer = module.layers[binding.set];
+            set = fmt::format(" {} {}", quoted(layer.id, '"'), layer.kind);
+        }
         out += fmt::format("output {}{} = %{}\n", output_name(binding.output), set, binding.value.index);
     }
     return out;

@@ -18,6 +18,7 @@
 //   layer none
 //   output normal = %9
 //   output uv 0 = %1
+//   output layer "scan" normal_map = %8
 //
 // Names are quoted with \" \\ and \xNN escapes. Numbers print with the fewest digits that read back equal.
 #pragma once

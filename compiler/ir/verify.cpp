@@ -177,8 +177,12 @@ struct Verifier {
                                      info(found).name, binding.value.index));
         }
         const bool of_uv = binding.output == Output::uv || binding.output == Output::moved_uv;
-        if (binding.set > (of_uv ? 7u : binding.output == Output::volume ? 1u : 0u))
-            fault(where, "has no such number");
+        const bool of_layer = binding.output == Output::layer;
+        if (of_layer ? binding.set >= module.layers.size()
+                     : binding.set > (of_uv                              ? 7u
+                                      : binding.output == Output::volume ? 1u
+                                                                         : 0u))
+            fault(where, of_layer ? "has no such layer" : "has no such number");
         for (std::size_t j = 0; j < i; ++j) {
             if (module.outputs[j].output == binding.output && module.outputs[j].set == binding.set) {
                 fault(where, "is set twice");

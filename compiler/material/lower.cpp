@@ -74,16 +74,26 @@ private:
         for (const CheckedLayer& layer : layers) {
             auto [g, coverage] = scaled(layer);
             ValueId share = share_of(layer, coverage);
+            ValueId masked = share.valid() ? builder_.add(Op::mask_surfgrad, {g, share}) : g;
+            show(layer, masked);
             if (layer.common[layers::kBlend].index == layers::kBlendMix) {
                 if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
                 total =
                     builder_.add(Op::mix_surfgrad, {total, g, share.valid() ? share : context_.constant(1)});
                 continue;
             }
-            if (share.valid()) g = builder_.add(Op::mask_surfgrad, {g, share});
-            total = total.valid() ? builder_.add(Op::add_surfgrad, {total, g}) : g;
+            total = total.valid() ? builder_.add(Op::add_surfgrad, {total, masked}) : masked;
         }
         return total.valid() ? total : builder_.add(Op::zero_surfgrad);
+    }
+
+    // One layer alone, for the debug entry; a group is shown by its layers.
+    void show(const CheckedLayer& layer, ValueId masked) {
+        auto named = [&](const ir::Layer& l) { return l.id == layer.id; };
+        const auto found = std::find_if(module_.layers.begin(), module_.layers.end(), named);
+        if (layer.kind && found != module_.layers.end())
+            builder_.output(ir::Output::layer, masked,
+                            static_cast<std::uint32_t>(found - module_.layers.begin()));
     }
 
     // How much of a layer shows: its mask times what it covers by itself; invalid where it shows wholly.

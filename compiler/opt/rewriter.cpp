@@ -125,6 +125,29 @@ ir::Module compact(ir::Module module) {
     return compact(std::move(module), renamed);
 }
 
+// A layer by itself is shown as long as it bumps, and reads no texture and no parameter that nothing else
+// does: so the debug entry asks for no more than the others.
+void drop_dead_layers(ir::Module& module) {
+    auto is_layer = [](const ir::OutputBinding& o) { return o.output == ir::Output::layer; };
+    ir::Module without = module;
+    std::erase_if(without.outputs, is_layer);
+    std::vector<bool> textures(module.textures.size()), parameters(module.parameters.size());
+    for (const Value& value : compact(std::move(without)).values) {
+        for (std::uint32_t texture : ir::textures_of(module, value)) textures[texture] = true;
+        if (value.op == Op::parameter) parameters[value.index] = true;
+    }
+    std::vector<bool> asks(module.values.size(), false);  // for more than the others
+    for (std::size_t i = 0; i < module.values.size(); ++i) {
+        const Value& value = module.values[i];
+        asks[i] = value.op == Op::parameter && !parameters[value.index];
+        for (std::uint32_t texture : ir::textures_of(module, value)) asks[i] = asks[i] || !textures[texture];
+        for (ValueId operand : value.operands) asks[i] = asks[i] || asks[operand.index];
+    }
+    std::erase_if(module.outputs, [&](const ir::OutputBinding& o) {
+        return is_layer(o) && (asks[o.value.index] || module.at(o.value).op == Op::zero_surfgrad);
+    });
+}
+
 // The log speaks of the rewritten module until here.
 void rename(Log& log, const std::vector<ValueId>& renamed) {
     for (ValueId& after : log.after) after = after.valid() ? renamed[after.index] : after;
@@ -149,6 +172,7 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
     ir::Module out = rewriter.take();
     out.outputs = module.outputs;
     for (ir::OutputBinding& output : out.outputs) output.value = renamed[output.value.index];
+    drop_dead_layers(out);
     // What the vertex stage hands over is worth showing only while some layer needs them.
     auto only_shown = [&](const ir::OutputBinding& o) {
         return is_numbered(o.output) || o.output == ir::Output::basis_vertex ||

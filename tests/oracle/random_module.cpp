@@ -40,6 +40,7 @@ public:
         }
         resolve_one_map();
         resolve_seldom_things();
+        out_.module.layers.push_back({"one", "normal_map"});
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
             if (values.empty()) continue;

@@ -121,6 +121,33 @@ TEST_P(Samples, EveryDebugViewDrawsFiniteNumbers) {
     EXPECT_EQ(validation_messages(), std::vector<std::string>{});
 }
 
+// The views of its layers, drawn alone, add up to the sum that is resolved.
+TEST(Layers, AddUpToTheGradient) {
+    const Made made = make({files().at("layered.json"), files(), {"debug"}});
+    const runtime::Scene scene = torus_scene();
+    const runtime::Picture sum = draw(made, scene, "gradient", kSide, kSide);
+    std::vector<runtime::Picture> layers;
+    for (const char* id : {"ramps", "pebbles", "grain", "scratches"})
+        layers.push_back(draw(made, scene, std::string("layer:") + id, kSide, kSide));
+    double largest = 0, smallest_layer = INFINITY;
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            if (!covered(sum, x, y)) continue;
+            glm::dvec3 added(0);
+            for (const runtime::Picture& layer : layers) added += glm::dvec3(rgb(layer, x, y));
+            largest = std::max(largest, glm::distance(added, glm::dvec3(rgb(sum, x, y))));
+        }
+    }
+    for (const runtime::Picture& layer : layers) {
+        double steepest = 0;
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+            steepest = std::max(steepest, glm::length(glm::dvec3(rgb(layer, i % kSide, i / kSide))));
+        smallest_layer = std::min(smallest_layer, steepest);
+    }
+    EXPECT_LE(largest, 1e-5);  // roundings of gradients up to 8
+    EXPECT_GT(smallest_layer, 0.05) << "a layer without a bump shows nothing";
+}
+
 // Surface gradients add: the order of layers is that of a sum of floats, a few units in the last place.
 // Layers that mix cover what lies before them, so that their order means something.
 TEST_P(Samples, OrderOfLayersDoesNotMatter) {

@@ -71,8 +71,8 @@ const RuleCase kCases[] = {
      "Scalar\n"
      "%12 = surfgrad_from_tbn %7 %10 : SurfGrad\n%13 = mask_surfgrad %12 %11 : SurfGrad\noutput gradient = "
      "%13\n",
-     "%10 = constant 0 : Scalar\n%11 = maximum %9 %10 : Scalar\n%12 = scale_deriv %11 %5 : Deriv\n%13 = "
-     "surfgrad_from_tbn %12 %8 : SurfGrad\noutput gradient = %13\n"},
+     "%10 = constant 0 : Scalar\n%11 = constant 1 : Scalar\n%12 = clamp %9 %10 %11 : Scalar\n"
+     "%13 = scale_deriv %12 %5 : Deriv\n%14 = surfgrad_from_tbn %13 %8 : SurfGrad\noutput gradient = %14\n"},
     {"one_factor",
      "%8 = facing : Scalar\n%9 = time : Scalar\n%10 = scale_deriv %8 %7 : Deriv\n%11 = scale_deriv %9 %10 : "
      "Deriv\n"
@@ -97,7 +97,7 @@ const RuleCase kCases[] = {
      "%8 = facing : Scalar\n%9 = flip %1 %8 : Normal\n%10 = direction_of %1 : Direction\n"
      "%11 = surfgrad_from_normal %9 %10 : SurfGrad\n%12 = mask_surfgrad %11 %8 : SurfGrad\n"
      "%13 = resolve %9 %12 : Normal\noutput normal = %13\n",
-     "%6 = resolve_towards %3 %1 %5 : Normal\noutput normal = %6\n"},
+     "%7 = resolve_towards %3 %1 %6 : Normal\noutput normal = %7\n"},
     {"mix_before_projection",
      "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : "
      "Scalar\n"
@@ -282,6 +282,37 @@ TEST(Opt, ParametersKeepToTheirRanges) {
     EXPECT_TRUE(mirrors("parameter 0 \"tiling\" : Vec2\n"));
 }
 
+// A mask that may leave 0 to 1 is cut; texels of masks, alphas, falloffs and what their products give cannot.
+TEST(Opt, SharesAreNotCut) {
+    // `lines` end with the mask.
+    auto cut = [&](const std::string& declarations, const std::string& lines) {
+        const auto mask = 7 + std::count(lines.begin(), lines.end(), '\n');
+        return optimised(fmt::format(
+                             "{}{}{}%{} = surfgrad_from_tbn %7 %3 : SurfGrad\n%{} = mask_surfgrad %{} %{} : "
+                             "SurfGrad\noutput gradient = %{}\n",
+                             declarations, kSurface, lines, mask + 1, mask + 2, mask + 1, mask, mask + 2))
+                   .find("clamp") != std::string::npos;
+    };
+    auto channel = [&](const std::string& encoding, int of) {
+        return cut(fmt::format("{}texture 1 \"m\" {}\n", kTexture, encoding),
+                   fmt::format("%8 = sample 1 %4 : Texel\n%9 = channel {} %8 : Scalar\n", of));
+    };
+    EXPECT_FALSE(channel("mask", 0));
+    EXPECT_FALSE(channel("color", 3));
+    EXPECT_TRUE(channel("color", 0));
+    EXPECT_TRUE(channel("height", 0));
+    auto parameter = [&](const std::string& range) {
+        return cut(kTexture + "parameter 0 \"p\" : Scalar" + range + "\n", "%8 = parameter 0 : Scalar\n");
+    };
+    EXPECT_FALSE(parameter(" 0 1"));
+    EXPECT_TRUE(parameter(" 0 1.5"));
+    EXPECT_TRUE(parameter(" -0.5 1"));
+    EXPECT_TRUE(parameter(""));
+    const std::string share = "%8 = facing : Scalar\n%9 = smoothstep %8 %8 %8 : Scalar\n";
+    EXPECT_FALSE(cut(kTexture, share + "%10 = multiply %9 %9 : Scalar\n%11 = mix %9 %10 %9 : Scalar\n"));
+    EXPECT_TRUE(cut(kTexture, share + "%10 = add %9 %9 : Scalar\n%11 = multiply %9 %10 : Scalar\n"));
+}
+
 TEST(Opt, OneProjectionReachesPastOtherLayers) {
     // layers 1 and 2 share the vertex basis; layer 0 has a basis of its own in front of them.
     std::string text = kTexture + kSurface +
@@ -327,6 +358,26 @@ TEST(Opt, WhatNoLayerNeedsIsNotShown) {
     EXPECT_EQ(
         optimised(text),
         kTexture + "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\noutput normal = %1\n");
+}
+
+// A layer that another covers, one that adds nothing, and one that shows.
+TEST(Opt, LayersThatAddNothingAreNotShown) {
+    const std::string text =
+        kTexture + "texture 1 \"covered\" tangent_normal\n" + kSurface +
+        "layer \"covered\" normal_map\n%8 = sample 1 %4 : Texel\n"
+        "%9 = decode_normal_xyz 127.5 %8 : TangentNormal\n%10 = deriv_from_normal_xyz %9 : Deriv\n"
+        "%11 = surfgrad_from_tbn %10 %3 : SurfGrad\nlayer \"none\" normal_map\n"
+        "%12 = surfgrad_from_tbn %7 %3 : SurfGrad\n%13 = constant 0 : Scalar\n"
+        "%14 = scale_surfgrad %13 %12 : SurfGrad\nlayer \"shown\" normal_map\n"
+        "%15 = surfgrad_from_tbn %7 %3 : SurfGrad\nlayer none\n%16 = constant 1 : Scalar\n"
+        "%17 = add_surfgrad %11 %14 : SurfGrad\n%18 = mix_surfgrad %17 %15 %16 : SurfGrad\n"
+        "output gradient = %18\noutput layer \"covered\" normal_map = %11\n"
+        "output layer \"none\" normal_map = %14\noutput layer \"shown\" normal_map = %15\n";
+    const std::string after = optimised(text);
+    EXPECT_NE(after.find("output layer \"shown\" normal_map = "), std::string::npos) << after;
+    EXPECT_EQ(after.find("covered\" normal_map = "), std::string::npos) << after;
+    EXPECT_EQ(after.find("none\" normal_map = "), std::string::npos) << after;
+    EXPECT_EQ(after.find("sample 1"), std::string::npos) << after;
 }
 
 // Two channels of one texture, each read by a node of its own; the third coordinate is another.
