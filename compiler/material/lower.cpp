@@ -122,10 +122,24 @@ private:
             made.gradient = sum(layer.group);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];
-        if (strength.given)
-            made.gradient = builder_.add(Op::scale_surfgrad, {context_.number(strength), made.gradient});
+        if (strength.given) made.gradient = times(made.gradient, strength);
         context_.set_layer({});
         return made;
+    }
+
+    // A gradient times a strength: of a volume bump before its projection, which cuts what is too long.
+    ValueId times(ValueId gradient, const layers::FieldValue& strength) {
+        const ir::Value made = module_.at(gradient);
+        if (made.op != Op::surfgrad_from_volume)
+            return builder_.add(Op::scale_surfgrad, {context_.number(strength), gradient});
+        if (gradient.index + 1 == module_.values.size() && !is_shown(gradient)) module_.values.pop_back();
+        const ValueId scaled = builder_.add(Op::scale_volgrad, {context_.number(strength), made.operands[1]});
+        return builder_.add(Op::surfgrad_from_volume, {made.operands[0], scaled}, made.name);
+    }
+
+    [[nodiscard]] bool is_shown(ValueId id) const {
+        return std::any_of(module_.outputs.begin(), module_.outputs.end(),
+                           [&](const ir::OutputBinding& o) { return o.value == id; });
     }
 
     void surface(ValueId normal) {

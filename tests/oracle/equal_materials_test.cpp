@@ -148,6 +148,25 @@ TEST(EqualMaterials, AMaskBeyondOneShowsAll) {
     EXPECT_GT(different(whole, Meaning(bump("0.5"))), 100);
 }
 
+// A bump is cut behind its strength: fine steps of a small height are as steep as coarse ones of a large.
+TEST(EqualMaterials, FineNoiseIsNotCut) {
+    auto noise = [](double frequency, double strength) {
+        return Meaning(material(fmt::format(
+            R"({{ "layers": [ {{ "kind": "noise", "function": "perlin", "frequency": {}, "strength": {} }} ] }})",
+            frequency, strength)));
+    };
+    const Meaning coarse = noise(2, 0.05), fine = noise(1e6, 1e-7);
+    int bumped = 0;
+    for (ir::PixelInputs pixel : pixels()) {
+        for (dvec3* v : {&pixel.object.dx, &pixel.object.dy}) *v *= 1e-3;
+        const dvec3 normal = coarse.normal(pixel);
+        for (dvec3* v : {&pixel.object.p, &pixel.object.dx, &pixel.object.dy}) *v *= 2e-6;
+        EXPECT_LT(glm::distance(normal, fine.normal(pixel)), 1e-8);  // 1e6 times 2e-6 is rounded
+        bumped += glm::distance(normal, glm::normalize(pixel.vertex_normal)) > 1e-3;
+    }
+    EXPECT_GT(bumped, 100);
+}
+
 const std::string kFirst =
     R"({ "id": "first", "layers": [ { "kind": "normal_map", "texture": "n", "strength": 0.2 } ] })";
 const std::string kSecond =
