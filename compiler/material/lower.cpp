@@ -152,12 +152,21 @@ private:
             const ir::Output output = layers::surface_output(field);
             if (!ir::has_input(model, output)) continue;
             const bool color = field.kind == layers::FieldKind::color;
-            name_output(output, color ? context_.color(s.values[i]) : context_.number(s.values[i]));
+            name_output(output, color ? context_.color(s.values[i]) : within(field, output, s.values[i]));
         }
         without_microfacets();
         if (s.alpha_test)
             builder_.output(ir::Output::cutoff,
                             context_.written(*s.alpha_test, "alpha_test", {&s.alpha_test}));
+    }
+
+    // A number that is computed, or a parameter, kept within what the field means.
+    ValueId within(const layers::Field& field, ir::Output output, const layers::FieldValue& value) {
+        const ValueId number = context_.number(value);
+        if (!value.node.valid() && !value.parameter.valid()) return number;
+        name(number, output);
+        return builder_.add(Op::clamp,
+                            {number, context_.constant(field.minimum), context_.constant(field.maximum)});
     }
 
     // A g-buffer and who calls the function know metallic and roughness. A model without them is no metal,
@@ -177,6 +186,9 @@ private:
     // A value without a name is named after what it is here.
     void name_output(ir::Output which, ValueId id) {
         builder_.output(which, id);
+        name(id, which);
+    }
+    void name(ValueId id, ir::Output which) {
         ir::Value& value = module_.values[id.index];
         if (value.name.empty() && !value.operands.empty()) value.name = ir::output_name(which);
     }

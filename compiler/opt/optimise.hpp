@@ -15,7 +15,8 @@ class Rewriter;
 struct Log;
 
 // A rule looks at one value whose operands are already rewritten. It gives the value to use instead, or an
-// invalid id where it does not apply. What it gives must be equal for every input, up to rounding.
+// invalid id where it does not apply. What it gives must be equal for every input, up to rounding, while no
+// volume gradient is longer than a projection lets pass (16384).
 struct Rule {
     std::string_view name;
     std::string_view reason;

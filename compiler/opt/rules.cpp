@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "opt/interval.hpp"
+
 namespace sg::opt {
 namespace {
 
@@ -234,64 +236,24 @@ ValueId resolve_towards_normal(Rewriter& rewriter, const Value& value) {
 
 // ---- masks and mixes ----
 
-bool is_constant_within(const Rewriter& rewriter, ValueId id, double least, double most) {
-    const Value& value = rewriter.at(id);
-    return value.op == Op::constant && value.number[0] >= least && value.number[0] <= most;
-}
-
-// Within 0 to 1 whatever the pixel shows. At most so many operations are looked through.
-bool is_share(const Rewriter& rewriter, ValueId id, int depth = 4) {
-    const Value& value = rewriter.at(id);
-    auto share = [&](std::size_t operand) {
-        return depth > 0 && is_share(rewriter, value.operands[operand], depth - 1);
-    };
-    switch (value.op) {
-        case Op::constant:
-            return value.number[0] >= 0 && value.number[0] <= 1;
-        case Op::parameter: {
-            const auto& range = rewriter.parameter(value).range;
-            return range && (*range)[0] >= 0 && (*range)[1] <= 1;
-        }
-        case Op::channel: {  // artefacts.md: what texels hold
-            const Value* texel = &rewriter.at(value.operands[0]);
-            if (texel->op == Op::swizzle) texel = &rewriter.at(texel->operands[0]);
-            if (texel->op != Op::sample) return false;
-            const ir::TextureEncoding encoding = rewriter.texture(*texel).encoding;
-            return encoding == ir::TextureEncoding::mask ||
-                   (encoding == ir::TextureEncoding::color && value.index == 3);
-        }
-        case Op::decal_falloff_box:
-        case Op::decal_falloff_cone:
-        case Op::decal_falloff_sphere:
-        case Op::decal_falloff_capsule:
-        case Op::decal_falloff_wedge:
-        case Op::decal_angle_fade:
-        case Op::smoothstep:
-            return true;
-        case Op::clamp:
-            return is_constant_within(rewriter, value.operands[1], 0, 1) &&
-                   is_constant_within(rewriter, value.operands[2], 0, 1);
-        case Op::multiply:
-        case Op::minimum:
-        case Op::maximum:
-            return share(0) && share(1);
-        case Op::mix:
-            return share(0) && share(1) && share(2);
-        default:
-            return false;
-    }
-}
-
 // Bumps are numbers; of what is none, a mask of 0 would hide nothing any more.
 ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
     const Value like = unnamed(value);
     ValueId factor = value.operands[1];
-    if (!is_share(rewriter, factor)) {
+    if (!interval_of(rewriter, factor).within(0, 1)) {
         const ValueId none = number(rewriter, ir::Type::Scalar, {0.0}, like),
                       all = number(rewriter, ir::Type::Scalar, {1.0}, like);
         factor = rewriter.add(Op::clamp, {factor, none, all}, like);
     }
     return rewriter.add(Op::scale_surfgrad, {factor, value.operands[0]}, value);
+}
+
+ValueId number_is_within(Rewriter& rewriter, const Value& value) {
+    const Value *least = rewriter.operand(value, 1, Op::constant),
+                *most = rewriter.operand(value, 2, Op::constant);
+    const bool holds =
+        least && most && interval_of(rewriter, value.operands[0]).within(least->number[0], most->number[0]);
+    return holds ? value.operands[0] : ValueId{};
 }
 
 ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
@@ -459,6 +421,10 @@ std::vector<Rule> rules_of_numbers() {
          "what is known now need not be computed for every pixel",
          {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
          fold_numbers},
+        {"number_is_within",
+         "what cannot leave its bounds need not be kept within them",
+         {clamp},
+         number_is_within},
         {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
         {"drift_from_nowhere", "0 + t v = t v", {drift}, drift_from_nowhere},
         {"parallel_projection_has_one_gradient",

@@ -73,6 +73,10 @@ const RuleCase kCases[] = {
      "%13\n",
      "%10 = constant 0 : Scalar\n%11 = constant 1 : Scalar\n%12 = clamp %9 %10 %11 : Scalar\n"
      "%13 = scale_deriv %12 %5 : Deriv\n%14 = surfgrad_from_tbn %13 %8 : SurfGrad\noutput gradient = %14\n"},
+    {"number_is_within",
+     "%8 = facing : Scalar\n%9 = smoothstep %8 %8 %8 : Scalar\n%10 = constant 0 : Scalar\n%11 = constant 1 : "
+     "Scalar\n%12 = clamp %9 %10 %11 : Scalar\noutput metallic = %12\n",
+     "%0 = facing : Scalar\n%1 = smoothstep %0 %0 %0 : Scalar\noutput metallic = %1\n"},
     {"one_factor",
      "%8 = facing : Scalar\n%9 = time : Scalar\n%10 = scale_deriv %8 %7 : Deriv\n%11 = scale_deriv %9 %10 : "
      "Deriv\n"
@@ -311,6 +315,12 @@ TEST(Opt, SharesAreNotCut) {
     const std::string share = "%8 = facing : Scalar\n%9 = smoothstep %8 %8 %8 : Scalar\n";
     EXPECT_FALSE(cut(kTexture, share + "%10 = multiply %9 %9 : Scalar\n%11 = mix %9 %10 %9 : Scalar\n"));
     EXPECT_TRUE(cut(kTexture, share + "%10 = add %9 %9 : Scalar\n%11 = multiply %9 %10 : Scalar\n"));
+    const std::string line = share + "%10 = constant 0.5 : Scalar\n%11 = constant 1 : Scalar\n";
+    EXPECT_FALSE(cut(kTexture, line + "%12 = multiply %9 %10 : Scalar\n%13 = subtract %11 %12 : Scalar\n"));
+    EXPECT_FALSE(cut(kTexture, line + "%12 = multiply %9 %10 : Scalar\n%13 = add %12 %10 : Scalar\n"));
+    EXPECT_TRUE(cut(kTexture, line + "%12 = multiply %9 %10 : Scalar\n%13 = subtract %12 %10 : Scalar\n"));
+    EXPECT_TRUE(cut(kTexture, line + "%12 = mix %9 %11 %8 : Scalar\n"));
+    EXPECT_FALSE(cut(kTexture, line + "%12 = minimum %8 %11 : Scalar\n%13 = maximum %12 %10 : Scalar\n"));
 }
 
 TEST(Opt, OneProjectionReachesPastOtherLayers) {
