@@ -397,6 +397,7 @@ Rows gradients_rows() {
             }},
         Row{Op::surfgrad_from_normal, ref::surfgrad_from_normal},
         Row{Op::surfgrad_from_volume, ref::surfgrad_from_volume},
+        Row{Op::combine_reoriented, ref::combine_reoriented},
         Row{Op::mask_surfgrad, ref::combine_mask},
         Row{Op::mix_surfgrad, ref::combine_mix},
         Row{Op::zero_surfgrad, [] { return dvec3(0.0); }},

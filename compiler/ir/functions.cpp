@@ -201,6 +201,7 @@ Rows texture_rows() {
         Row{"sg_combine_whiteout", ref::combine_whiteout},
         Row{"sg_combine_udn", ref::combine_udn},
         Row{"sg_combine_rnm", ref::combine_rnm},
+        Row{"sg_combine_reoriented", ref::combine_reoriented},
         Row{"sg_combine_weighted", ref::combine_weighted},
         Row{"sg_combine_additive", ref::combine_additive},
     };

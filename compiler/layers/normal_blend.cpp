@@ -44,11 +44,6 @@ std::optional<FieldFault> check(FieldValues values) {
             kBasis,
             "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
     }
-    if (values[kMethod].index == kRnm && !aligned(values)) {
-        return FieldFault{
-            kMethod,
-            "'rnm' turns one map by the other, expected both on one uv set, turned and mirrored alike"};
-    }
     for (std::size_t weight : {kWeight, kSecondWeight}) {
         if (values[weight].given && values[kMethod].index != kWeighted) {
             return FieldFault{weight,
@@ -83,13 +78,16 @@ ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     MapPlace first = context.place_map(values[kUv].uv, values[kTiling], values[kBasis].index == kBasisVertex);
     MapPlace second = context.place_map(values[kSecondUv].uv, values[kSecondTiling], false);
-    ValueId deriv = context.map_deriv({values[kTexture].index}, first.uv);
-    auto [a, b] =
-        blended(context, values, {deriv, context.map_deriv({values[kSecondTexture].index}, second.uv)});
+    std::array<ValueId, 2> derivs{context.map_deriv({values[kTexture].index}, first.uv)};
+    derivs[1] = context.map_deriv({values[kSecondTexture].index}, second.uv);
+    // Without a common tangent space one map is turned by the other about the base normal.
+    bool in_space = values[kMethod].index == kRnm && !aligned(values);
+    auto [a, b] = in_space ? derivs : blended(context, values, derivs);
     ValueId gradient = builder.add(Op::surfgrad_from_tbn, {a, context.basis_of(first)});
     if (!b.valid()) return gradient;
     ValueId other = builder.add(Op::surfgrad_from_tbn, {b, context.basis_of(second)});
-    return builder.add(Op::add_surfgrad, {gradient, other});
+    return in_space ? builder.add(Op::combine_reoriented, {context.normal(), gradient, other})
+                    : builder.add(Op::add_surfgrad, {gradient, other});
 }
 
 Field map(std::string_view name, std::string_view doc) {
@@ -131,8 +129,8 @@ const LayerKind& normal_blend() {
                     .choices = {"pd", "whiteout", "udn", "rnm", "weighted"},
                     .doc = "pd: slopes add, as two layers of kind normal_map do; whiteout: each is steeper "
                            "where the other is; udn: the second is "
-                           "flatter where the first is steep; rnm: the second stands on the first (one uv "
-                           "set, turned and mirrored alike); "
+                           "flatter where the first is steep; rnm: the second stands on the first "
+                           "(cheapest on one uv set, turned and mirrored alike); "
                            "weighted: slopes add with a factor each"},
                    map("texture", "the first map"),
                    {.name = "uv",

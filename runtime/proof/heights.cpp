@@ -38,6 +38,7 @@ const std::vector<HeightRow>& rows() {
         {Op::combine_whiteout, HeightRule::none, 0, kTwoNormals},
         {Op::combine_udn, HeightRule::none, 0, kTwoNormals},
         {Op::combine_rnm, HeightRule::none, 0, kTwoNormals},
+        {Op::combine_reoriented, HeightRule::none, 0, kTwoNormals},
         {Op::pair_first, HeightRule::none, 0, kTwoNormals},
         {Op::pair_second, HeightRule::none, 0, kTwoNormals},
         {Op::scale_deriv, HeightRule::scale},

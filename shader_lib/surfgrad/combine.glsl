@@ -4,6 +4,8 @@
 #define SG_COMBINE
 
 #include "surfgrad/deriv.glsl"
+#include "surfgrad/from_normal.glsl"
+#include "surfgrad/resolve.glsl"
 
 // The sum of two bumps.
 //   a, b: surface gradients of one frame. Result: commutative, associative up to rounding. Cost: 4 instructions.
@@ -62,6 +64,18 @@ vec3 sg_combine_rnm(vec3 a, vec3 b) {
     vec3 t = vec3(a.xy, abs(a.z) + 1.0);
     vec3 u = vec3(-b.xy, b.z);
     return t * (dot(t, u) / t.z) - u;
+}
+
+// "Reoriented normal mapping" of two bumps that share no tangent space: b turned by the shortest rotation that takes n
+// to the normal that a resolves to.
+//   n: unit base normal; a, b: surface gradients of n, of any uv sets.
+// Result: surface gradient, perpendicular to n, |g| <= 128; a where b is 0, b where a is 0; not commutative. A normal
+// that the rotation turns inward counts as its mirror image in front, as in sg_surfgrad_from_normal. Cost: 51 instructions.
+// Source: Eq 18 (Barre-Brisebois and Hill 2012), with n in place of (0, 0, 1).
+vec3 sg_combine_reoriented(vec3 n, vec3 a, vec3 b) {
+    vec3 t = n + sg_resolve(n, a);
+    vec3 u = n + b;  // n - b turned by half a turn about n
+    return sg_surfgrad_from_normal(n, t * (dot(t, u) / max(dot(t, n), 1e-6)) - u);
 }
 
 // The normal of the weighted sum of two heights.

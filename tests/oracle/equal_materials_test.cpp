@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "compile.hpp"
@@ -230,6 +231,61 @@ TEST(EqualMaterials, SlopesDoNotSeeTilingNorSize) {
             }
         }
     }
+}
+
+// Slopes up to 1.
+struct Slopes : ref::TextureSource {
+    static constexpr int kSide = 16;
+    glm::dvec4 fetch(glm::ivec2 texel, int) const override {
+        const double s = 0.8 * std::sin(0.7 * texel.x + 0.4),
+                     t = 0.6 * std::cos(0.4 * texel.x - 1.1 * texel.y);
+        return {0.5 + 0.5 * glm::normalize(dvec3(s, t, 1)), 1};
+    }
+    glm::ivec2 size(int) const override { return {kSide, kSide}; }
+    int levels() const override { return 1; }
+};
+
+std::string blend(const std::string& method, const std::string& second_uv) {
+    return material(
+        R"({ "layers": [ { "kind": "normal_blend", "texture": "n", "second_texture": "n", "second_tiling": [3, 2],
+             "method": ")" +
+        method + R"(", "second_uv": )" + second_uv + " } ] }");
+}
+
+// A whole turn changes nothing but the way: without a common tangent space for sure, in shading space.
+TEST(EqualMaterials, ReorientedMapsOfOneUvSetMayBlendInEitherSpace) {
+    const Slopes slopes;
+    Meaning tangent(blend("rnm", "0"), &slopes), space(blend("rnm", R"({ "rotation": 360 })"), &slopes);
+    auto has = [](Meaning& meaning, ir::Op op) {
+        const auto& values = meaning.module().values;
+        return std::any_of(values.begin(), values.end(), [&](const ir::Value& v) { return v.op == op; });
+    };
+    EXPECT_TRUE(has(tangent, ir::Op::combine_rnm) && !has(tangent, ir::Op::combine_reoriented));
+    EXPECT_TRUE(has(space, ir::Op::combine_reoriented) && !has(space, ir::Op::combine_rnm));
+    EXPECT_GT(same(tangent, space), 100);
+    EXPECT_GT(different(tangent, Meaning(blend("pd", "0"), &slopes)), 100);
+}
+
+// Across uv sets the normal that one map alone gives is the one that the other stands on.
+TEST(EqualMaterials, ReorientedMapsOfTwoUvSetsTurnOneByTheOther) {
+    const Slopes slopes;
+    auto map = [](const std::string& place) {
+        return material(R"({ "layers": [ { "kind": "normal_map", "texture": "n", )" + place + " } ] }");
+    };
+    const Meaning first(map(R"("uv": 0)"), &slopes), second(map(R"("uv": 1, "tiling": [3, 2])"), &slopes);
+    const Meaning both(blend("rnm", "1"), &slopes);
+    int turned = 0;
+    for (const ir::PixelInputs& pixel : pixels()) {
+        const dvec3 n = glm::normalize(pixel.vertex_normal), a = first.normal(pixel),
+                    b = second.normal(pixel);
+        // Two half turns, about n and about the middle between n and a, are the shortest turn from n to a.
+        const dvec3 half = glm::normalize(n + a), once = 2 * glm::dot(n, b) * n - b;
+        const dvec3 want = 2 * glm::dot(half, once) * half - once;
+        if (glm::dot(want, n) < 0.01) continue;  // inward, or so steep that it is limited
+        EXPECT_LT(glm::distance(both.normal(pixel), want), 1e-9);
+        turned += glm::distance(n, a) > 1e-3 && glm::distance(n, b) > 1e-3 ? 1 : 0;
+    }
+    EXPECT_GT(turned, 100);
 }
 
 // ---- behind parallax ----

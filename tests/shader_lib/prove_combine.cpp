@@ -2,6 +2,9 @@
 #include "draws.hpp"
 #include "ir/reference/combine.hpp"
 #include "ir/reference/deriv.hpp"
+#include "ir/reference/from_normal.hpp"
+#include "ir/reference/resolve.hpp"
+#include "ir/reference/tbn.hpp"
 
 namespace sg::proof {
 namespace {
@@ -196,8 +199,86 @@ std::vector<Case> turned_and_summed_cases() {
     };
 }
 
+// n and two gradients of it, up to the clamp of a derivative.
+void draw_gradients_of_a_normal(Random& random, Draw& in) {
+    const glm::dvec3 n = random.direction();
+    in.put(0, n);
+    in.put(3, tangent_of(random, n) * random.magnitude(1e-3, 127.0));
+    in.put(6, tangent_of(random, n) * random.magnitude(1e-3, 127.0));
+}
+// Two slopes below 42 degrees, of which one turns the other to less than the clamp; then the tangents of a uv
+// set, either handed.
+void draw_slopes_on_a_basis(Random& random, Draw& in) {
+    const glm::dvec3 n = random.direction(), tangent = tangent_of(random, n);
+    in.put(0, n);
+    in.put(3, random.direction2() * random.uniform(0.0, 0.9));
+    in.put(5, random.direction2() * random.uniform(0.0, 0.9));
+    in.put(7, tangent), in.put(10, random.sign() * glm::cross(n, tangent));
+}
+
+constexpr const char* kSpace = "surfgrad/combine.glsl surfgrad/resolve.glsl";
+
+std::vector<Case> reoriented_cases() {
+    const Mutant not_turned{kFile, "vec3 t = n + sg_resolve(n, a);", "vec3 t = n;"},
+        not_opposite{kFile, "vec3 u = n + b;", "vec3 u = n - b;"};
+    return {
+        {.name = "combine_reoriented",
+         .include = kSpace,
+         .inputs = 9,
+         .outputs = 3,
+         .glsl = "put(0, sg_resolve(v3(0), sg_combine_reoriented(v3(0), v3(3), v3(6))));",
+         .draw = draw_gradients_of_a_normal,
+         .reference =
+             [](const In& in, Expect& out) {
+                 out.put(0, ref::resolve(in.v3(0), ref::combine_reoriented(in.v3(0), in.v3(3), in.v3(6))));
+             },
+         // The turn as in combine_rnm (36) with a's resolve (8) in t, which counts twice; the gradient of a
+         // normal moves the cosine and the sine to it by 7 each, its resolve by 8.
+         .bound = {.absolute = 74 * kUlp},
+         .property = unit_and_outward,
+         .mutants = {not_turned, not_opposite}},
+        {.name = "combine_reoriented_gradient",
+         .include = kFile,
+         .inputs = 9,
+         .outputs = 3,
+         .glsl = "put(0, sg_combine_reoriented(v3(0), v3(3), v3(6)));",
+         .draw = draw_gradients_of_a_normal,
+         .reference = [](const In& in,
+                         Expect& out) { out.put(0, ref::combine_reoriented(in.v3(0), in.v3(3), in.v3(6))); },
+         .bound = {.absolute = 66 * kUlp},  // as above without the last resolve
+         .condition =
+             [](const In& in) {
+                 const glm::dvec3 g = ref::combine_reoriented(in.v3(0), in.v3(3), in.v3(6));
+                 return 1.0 + glm::dot(g, g);  // as of surfgrad_from_normal
+             },
+         .mutants = {not_turned}},
+        {.name = "combine_reoriented_on_one_uv_set",
+         .include = kSpace,
+         .inputs = 13,
+         .outputs = 3,
+         .glsl = "put(0, sg_resolve(v3(0), sg_combine_reoriented(v3(0), v2(3).x * v3(7) + v2(3).y * v3(10), "
+                 "v2(5).x * v3(7) + v2(5).y * v3(10))));",
+         .draw = draw_slopes_on_a_basis,
+         // What the two maps give in their own tangent space.
+         .reference =
+             [](const In& in, Expect& out) {
+                 const glm::dvec3 m =
+                     ref::combine_rnm(ref::normal_from_deriv(in.v2(3)), ref::normal_from_deriv(in.v2(5)));
+                 const ref::Basis basis{in.v3(7), in.v3(10)};
+                 out.put(
+                     0, ref::resolve(in.v3(0), ref::surfgrad_from_tbn(ref::deriv_from_normal_xyz(m), basis)));
+             },
+         // As above; the basis as rounded is off unit length and off a right angle to n by 2 each, of slopes
+         // up to 1.
+         .bound = {.absolute = (74 + 8) * kUlp},
+         .property = unit_and_outward,
+         .mutants = {not_turned, not_opposite}},
+        resolved_case("combine_reoriented", kFile, 9, "sg_combine_reoriented(v3(0), v3(3), v3(6))"),
+    };
+}
+
 std::vector<Case> normal_cases() {
-    return joined(surveyed_cases(), turned_and_summed_cases());
+    return joined(joined(surveyed_cases(), turned_and_summed_cases()), reoriented_cases());
 }
 
 SG_PROVE(Combine, gradient_cases());

@@ -1,6 +1,8 @@
 #include "ir/reference/combine.hpp"
 
 #include "ir/reference/deriv.hpp"
+#include "ir/reference/from_normal.hpp"
+#include "ir/reference/resolve.hpp"
 
 namespace sg::ref {
 
@@ -35,14 +37,25 @@ DerivPair combine_udn(dvec3 a, dvec3 b) {
     return {deriv_from_normal_xyz(a), deriv_from_normal_xyz(dvec3(b.x, b.y, a.z))};
 }
 
-// The rotation about (0, 0, 1) x a that takes (0, 0, 1) to a, by Rodrigues' formula, applied to b.
-dvec3 combine_rnm(dvec3 a, dvec3 b) {
-    const dvec3 unit = normalized(dvec3(a.x, a.y, std::abs(a.z)));
-    const dvec3 turned_axis = glm::cross(dvec3(0, 0, 1), unit);
-    const double sine = glm::length(turned_axis), cosine = unit.z;
-    if (sine == 0.0) return b;
+namespace {
+
+// The rotation about from x to that takes one unit vector to another, by Rodrigues' formula, applied to v.
+dvec3 turned(dvec3 from, dvec3 to, dvec3 v) {
+    const dvec3 turned_axis = glm::cross(from, to);
+    const double sine = glm::length(turned_axis), cosine = glm::dot(from, to);
+    if (sine == 0.0) return v;
     const dvec3 axis = turned_axis / sine;
-    return b * cosine + glm::cross(axis, b) * sine + axis * glm::dot(axis, b) * (1.0 - cosine);
+    return v * cosine + glm::cross(axis, v) * sine + axis * glm::dot(axis, v) * (1.0 - cosine);
+}
+
+}  // namespace
+
+dvec3 combine_rnm(dvec3 a, dvec3 b) {
+    return turned(dvec3(0, 0, 1), normalized(dvec3(a.x, a.y, std::abs(a.z))), b);
+}
+
+dvec3 combine_reoriented(dvec3 n, dvec3 a, dvec3 b) {
+    return surfgrad_from_normal(n, turned(n, resolve(n, a), resolve(n, b)));
 }
 
 dvec3 combine_weighted(dvec3 a, dvec3 b, dvec2 weights) {

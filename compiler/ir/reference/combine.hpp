@@ -17,6 +17,7 @@ dvec3 combine_pd(dvec3 a, dvec3 b);
 DerivPair combine_whiteout(dvec3 a, dvec3 b);
 DerivPair combine_udn(dvec3 a, dvec3 b);
 dvec3 combine_rnm(dvec3 a, dvec3 b);
+dvec3 combine_reoriented(dvec3 n, dvec3 a, dvec3 b);
 dvec3 combine_weighted(dvec3 a, dvec3 b, dvec2 weights);
 dvec3 combine_additive(dvec3 a, dvec3 b);
 
