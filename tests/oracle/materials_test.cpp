@@ -117,6 +117,29 @@ std::string test_name(const testing::TestParamInfo<std::string>& row) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, MaterialOracle, testing::ValuesIn(all_samples()), test_name);
 
+class FigureOracle : public testing::TestWithParam<std::string> {};
+
+TEST_P(FigureOracle, RenderAgreesWithTheInterpreter) {
+    const std::string& sample = GetParam();
+    const Material material(sample, Levels::first);
+    const std::vector<ref::dvec3> normals =
+        draw_normals(sample, Seen::outside, Levels::first, target::embedded_library());
+    const Comparison c =
+        compare(material, material.module, inputs_of(sample, Seen::outside), normals, kStride);
+    const std::string text = report(sample, c);
+    fmt::print("{}", text);
+    EXPECT_TRUE(c.holds()) << text;
+    std::size_t bumped = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const ref::dvec3 base = glm::normalize(inputs_of(sample, Seen::outside)[i].vertex_normal);
+        bumped += glm::distance(normals[i], base) > 0.01 ? 1 : 0;
+    }
+    fmt::print("  {} of {} pixels have a bump\n", bumped, normals.size());
+    EXPECT_GT(bumped, 30u);
+}
+
+INSTANTIATE_TEST_SUITE_P(PaperFigures, FigureOracle, testing::ValuesIn(truth::figure_materials()), test_name);
+
 // ---- wrong shaders ----
 
 struct ShaderMutant {

@@ -89,6 +89,18 @@ double limit(const std::string& json, const std::string& view) {
     return std::max(1e-5, 8 * std::ldexp(1, -24) / std::pow(roughness, 4));
 }
 
+// One view by both: whether they differ by no more than the roundings do.
+void expect_alike(const std::string& name, const Made& plain, const Made& optimised,
+                  const runtime::Scene& scene, const std::string& view) {
+    const runtime::Picture a = draw(plain, scene, view, kSide, kSide),
+                           b = draw(optimised, scene, view, kSide, kSide);
+    EXPECT_GT(covered_count(a), kSide * kSide / 5) << view;
+    const double difference = largest_difference(a, b);
+    fmt::print("{} {}: optimised and plain differ by {:.2e}\n", name, view, difference);
+    EXPECT_LE(difference, limit(files().at(name), view)) << view;
+    if (view == "lit") show(b, name + ".lit");
+}
+
 class Samples : public testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] Recipe recipe(bool optimise = true) const {
@@ -99,15 +111,8 @@ protected:
 TEST_P(Samples, RenderAlikeOptimisedAndNot) {
     const Made plain = make(recipe(false)), optimised = make(recipe(true));
     const runtime::Scene scene = torus_scene();
-    for (const char* view : {"normal", "lit", "gradient"}) {
-        const runtime::Picture a = draw(plain, scene, view, kSide, kSide),
-                               b = draw(optimised, scene, view, kSide, kSide);
-        EXPECT_GT(covered_count(a), kSide * kSide / 5) << view;
-        const double difference = largest_difference(a, b);
-        fmt::print("{} {}: optimised and plain differ by {:.2e}\n", GetParam(), view, difference);
-        EXPECT_LE(difference, limit(files().at(GetParam()), view)) << view;
-        if (std::string_view(view) == "lit") show(b, GetParam() + ".lit");
-    }
+    for (const char* view : {"normal", "lit", "gradient"})
+        expect_alike(GetParam(), plain, optimised, scene, view);
     EXPECT_EQ(validation_messages(), std::vector<std::string>{});
 }
 
@@ -166,12 +171,25 @@ TEST_P(Samples, OrderOfLayersDoesNotMatter) {
     EXPECT_LE(difference, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, Samples, testing::ValuesIn(sample_names()), [](const auto& row) {
-    std::string name = row.param.substr(0, row.param.find('.'));
+std::string test_name(const testing::TestParamInfo<std::string>& row) {
+    const std::size_t slash = row.param.rfind('/') + 1;
+    std::string name = row.param.substr(slash, row.param.find('.') - slash);
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, Samples, testing::ValuesIn(sample_names()), test_name);
+
+class PaperFigures : public testing::TestWithParam<std::string> {};
+
+TEST_P(PaperFigures, RenderAlikeOptimisedAndNot) {
+    auto made = [](bool optimise) { return make({files().at(GetParam()), files(), {"normal"}, optimise}); };
+    expect_alike(GetParam(), made(false), made(true), torus_scene(), "normal");
+    EXPECT_EQ(validation_messages(), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, PaperFigures, testing::ValuesIn(figure_materials()), test_name);
 
 }  // namespace
 }  // namespace sg::truth

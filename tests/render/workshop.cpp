@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "runtime/gpu/device.hpp"
@@ -102,6 +104,21 @@ std::map<std::string, std::string> sample_files() {
             out[entry.path().lexically_relative(root).generic_string()] = files.read(entry.path()).bytes;
     }
     return out;
+}
+
+std::vector<std::string> figure_materials() {
+    std::set<std::string> out;
+    const std::map<std::string, std::string> files = sample_files();
+    for (const auto& [path, bytes] : files) {
+        const std::string name = fs::path(path).filename().string();
+        if (!name.starts_with("figure_") || !name.ends_with(".figure.json")) continue;
+        const auto figure = nlohmann::json::parse(bytes);
+        for (const auto& picture : figure.at("pictures")) {
+            const std::string material = "figures/" + picture.at("material").get<std::string>();
+            if (files.at(material).find("\"custom\"") == std::string::npos) out.insert(material);
+        }
+    }
+    return {out.begin(), out.end()};
 }
 
 Percentiles percentiles(std::vector<double> values) {

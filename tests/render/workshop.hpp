@@ -42,6 +42,10 @@ runtime::Picture upside_down(const runtime::Picture& picture);
 // Every file of materials/, by path relative to that folder, into a recipe's files.
 std::map<std::string, std::string> sample_files();
 
+// The materials that the paper's figures draw, "figures/perlin.json" say, but for the older methods in GLSL
+// of their own.
+std::vector<std::string> figure_materials();
+
 // What the validation layers said so far.
 std::vector<std::string> validation_messages();
 
