@@ -13,10 +13,9 @@ using ir::ValueId;
 
 // How tightly a row's text binds: sums, products, everything else. `a + t * b` counts as a sum.
 enum class Tightness { sum, product, tight };
-Tightness tightness_of(const Value& value) {
-    std::string_view glsl = ir::info(value.op).glsl;
-    if (!glsl.starts_with("{0} ")) return Tightness::tight;
-    return glsl.starts_with("{0} *") ? Tightness::product : Tightness::sum;
+Tightness tightness_of(std::string_view glsl) {
+    if (glsl.starts_with("{0} *") || glsl.starts_with("-{")) return Tightness::product;
+    return glsl.starts_with("{0} ") ? Tightness::sum : Tightness::tight;
 }
 
 // For a value that no one named.
@@ -149,12 +148,13 @@ std::string Body::attribute(const Value& value) const {
 
 // Parentheses where the tree would not survive being printed without them. Below a name no operand binds
 // loosely.
-std::string Body::operand_of(const Value& parent, std::size_t index) const {
-    const std::string& text = expressions_[parent.operands[index].index];
+std::string Body::operand_of(std::size_t parent, std::size_t index) const {
+    const std::size_t operand = module_.values[parent].operands[index].index;
+    const std::string& text = expressions_[operand];
+    const std::string_view glsl = wording_of(parent).glsl;
+    if (glsl.starts_with('-') && text.starts_with('-')) return "(" + text + ")";  // no decrement
     bool is_name = text.find(' ') == std::string::npos;
-    Tightness child = tightness_of(module_.at(parent.operands[index]));
-    Tightness outer = tightness_of(parent);
-    std::string_view glsl = ir::info(parent.op).glsl;
+    Tightness child = tightness_of(wording_of(operand).glsl), outer = tightness_of(glsl);
     bool member = glsl.starts_with("{0}.") && index == 0;
     if (is_name || (child == Tightness::tight)) return text;
     bool looser = child < outer || (child == outer && index > 0) || (outer == Tightness::sum && index > 1);
@@ -163,7 +163,32 @@ std::string Body::operand_of(const Value& parent, std::size_t index) const {
 
 Wording Body::wording_of(std::size_t index) const {
     if (plan_.hardware_level[index]) return {"sg_stage_sample({t}, {s}, {0})", "stage/fragment.glsl"};
-    return wording_(module_.values[index].op);
+    const Value& value = module_.values[index];
+    const std::string_view plainer = plainer_wording(value);
+    return plainer.empty() ? wording_(value.op) : Wording{plainer, ""};
+}
+
+// 0 - x and -1 x are written as negations, and a frequency of 1 is not written; "" for all else.
+std::string_view Body::plainer_wording(const Value& value) const {
+    auto is = [&](std::size_t operand, double number) {
+        const Value& given = module_.at(value.operands[operand]);
+        return given.op == ir::Op::constant && given.number[0] == number;
+    };
+    switch (value.op) {
+        case ir::Op::subtract:
+            return is(0, 0) ? "-{1}" : "";
+        case ir::Op::multiply:
+            if (is(1, -1)) return "-{0}";
+            [[fallthrough]];
+        case ir::Op::scale_deriv:
+        case ir::Op::scale_surfgrad:
+        case ir::Op::scale_volgrad:
+            return is(0, -1) ? "-{1}" : "";
+        case ir::Op::noise_gradient:
+            return is(0, 1) ? "{1}.gradient" : is(0, -1) ? "-{1}.gradient" : "";
+        default:
+            return "";
+    }
 }
 
 std::string Body::expression(std::size_t index) const {
@@ -177,7 +202,7 @@ std::string Body::expression(std::size_t index) const {
         replace_all(text, "{s}", material_.samplers[slot->sampler].variable);
     }
     for (std::size_t i = 0; i < value.operands.size(); ++i) {
-        const std::string place = fmt::format("{{{}}}", i), operand = operand_of(value, i);
+        const std::string place = fmt::format("{{{}}}", i), operand = operand_of(index, i);
         const Value& given = module_.at(value.operands[i]);
         if (given.op == ir::Op::constant)  // a count
             replace_all(text, "int(" + place + ")", fmt::format("{}", static_cast<int>(given.number[0])));

@@ -29,7 +29,8 @@ private:
     [[nodiscard]] Wording wording_of(std::size_t index) const;
     [[nodiscard]] std::string attribute(const ir::Value& value) const;
     [[nodiscard]] std::string call(const ir::Value& value) const;
-    [[nodiscard]] std::string operand_of(const ir::Value& parent, std::size_t index) const;
+    [[nodiscard]] std::string operand_of(std::size_t parent, std::size_t index) const;
+    [[nodiscard]] std::string_view plainer_wording(const ir::Value& value) const;
     [[nodiscard]] std::string wanted_name(std::size_t i) const;
     void begin_paragraph(ir::LayerId layer);
 

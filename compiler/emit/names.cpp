@@ -36,7 +36,7 @@ std::string comment_text(std::string_view text) {
 }
 
 std::string float_literal(double value) {
-    std::string out = fmt::format("{}", static_cast<float>(value));
+    std::string out = fmt::format("{}", static_cast<float>(value) + 0.0f);  // no -0
     bool whole = out.find_first_of(".en") == std::string::npos;
     return whole ? out + ".0" : out;
 }

@@ -220,6 +220,7 @@ ValueId Builder::add_zero(Op op, double zero, std::vector<ValueId> operands, std
 
 ValueId Builder::constant(Type type, std::array<double, 4> number) {
     SG_ASSERT(component_count(type) > 0);
+    for (double& n : number) n += 0.0;  // no -0
     return push({.op = Op::constant, .type = type, .number = number});
 }
 
@@ -229,6 +230,7 @@ ValueId Builder::parameter(ParameterId parameter) {
 }
 
 std::uint32_t Builder::lift(Type type, std::array<double, 4> number, std::string name) {
+    for (double& n : number) n += 0.0;  // no -0
     const auto end = number.begin() + static_cast<std::ptrdiff_t>(component_count(type));
     const bool positive = std::all_of(number.begin(), end, [](double x) { return x > 0; });
     module_.host.push_back({.op = Op::constant, .type = type, .number = number});

@@ -163,6 +163,7 @@ struct ParallaxKind {
     std::optional<FieldFault> (*check)(FieldValues values) = nullptr;
     void (*lower)(LowerContext& context, FieldValues values) = nullptr;
 };
+bool moves_nothing(FieldValues parallax);  // its strength is written as 0
 
 // All kinds. The registries are explicit lists (layer_kinds.cpp, node_kinds.cpp, parallax.cpp).
 std::span<const LayerKind* const> all_kinds();

@@ -144,7 +144,16 @@ Field step_count(std::string_view name, double fallback, double most, std::strin
             .doc = doc};
 }
 
+bool is_level(FieldValues values) {
+    const FieldValue& strength = values[kStrength];
+    return !strength.node.valid() && !strength.parameter.valid() && strength.number[0] == 0;
+}
+
 }  // namespace
+
+bool moves_nothing(FieldValues parallax) {
+    return is_level(parallax);
+}
 
 std::span<const ParallaxKind> all_parallax_kinds() {
     using enum ir::TextureEncoding;

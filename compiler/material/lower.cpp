@@ -19,11 +19,14 @@ public:
           module_(declarations(material)),
           builder_(module_),
           context_(builder_, facts(material), material.nodes,
-                   static_cast<layers::Sides>(material.surface.two_sided), numbers) {}
+                   static_cast<layers::Sides>(material.surface.two_sided), numbers),
+          // What is known to leave the surface where it is is not lowered.
+          moves_(material.parallax &&
+                 !(numbers == layers::Numbers::baked && layers::moves_nothing(material.parallax->values))) {}
 
     ir::Module run() {
         ValueId gradient, normal;
-        if (material_.parallax) parallax(*material_.parallax);
+        if (moves_) parallax(*material_.parallax);
         for (std::size_t i = 0; i < material_.stages.size(); ++i) {
             if (i > 0) context_.begin_entry(normal, material_.stage_ids[i - 1]);
             ValueId g = sum(material_.stages[i]);
@@ -39,7 +42,7 @@ public:
         context_.begin_surface();
         surface(normal);
         inputs(gradient);
-        return material_.parallax ? derivatives_first(std::move(module_)) : std::move(module_);
+        return moves_ ? derivatives_first(std::move(module_)) : std::move(module_);
     }
 
 private:
@@ -246,6 +249,7 @@ private:
     ir::Module module_;
     ir::Builder builder_;
     layers::LowerContext context_;
+    bool moves_;  // by parallax
 };
 
 }  // namespace

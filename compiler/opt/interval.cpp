@@ -88,6 +88,8 @@ Interval interval_of(const Rewriter& rewriter, ir::ValueId id, int depth) {
         }
         case Op::channel:
             return texel(rewriter, value);
+        case Op::facing:
+            return {-1, 1};
         case Op::decal_falloff_box:
         case Op::decal_falloff_cone:
         case Op::decal_falloff_sphere:

@@ -1,8 +1,7 @@
 // One named function per rule; the table at the end says where each applies and why it holds.
-#include "opt/optimise.hpp"
+#include "opt/rules.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "opt/interval.hpp"
 
@@ -12,18 +11,6 @@ namespace {
 using ir::Op;
 using ir::Value;
 using ir::ValueId;
-
-// A value like this one without its name: for the parts of a sum, which belong to no layer's name.
-Value unnamed(const Value& value) {
-    Value like = value;
-    like.name = "";
-    like.is_node = false;
-    return like;
-}
-
-bool is_constant(const Value* value, double number) {
-    return value && value->op == Op::constant && value->number[0] == number;
-}
 
 // Numbers that are written, or that every engine keeps to.
 bool is_positive_pair(const Rewriter& rewriter, ValueId id) {
@@ -76,15 +63,6 @@ ValueId add_nothing(Rewriter& rewriter, const Value& value) {
 
 ValueId resolve_nothing(Rewriter& rewriter, const Value& value) {
     return rewriter.operand(value, 1, Op::zero_surfgrad) ? value.operands[0] : ValueId{};
-}
-
-ValueId channel_by_its_name(Rewriter& rewriter, const Value& value) {
-    const Value* swizzled = rewriter.operand(value, 0, Op::swizzle);
-    if (!swizzled) return {};
-    Value direct = value;
-    direct.index = ir::swizzle_channels(swizzled->index)[value.index];
-    direct.operands = swizzled->operands;
-    return rewriter.add(std::move(direct));
 }
 
 ValueId positive_tiling_shares_basis(Rewriter& rewriter, const Value& value) {
@@ -248,14 +226,6 @@ ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
     return rewriter.add(Op::scale_surfgrad, {factor, value.operands[0]}, value);
 }
 
-ValueId number_is_within(Rewriter& rewriter, const Value& value) {
-    const Value *least = rewriter.operand(value, 1, Op::constant),
-                *most = rewriter.operand(value, 2, Op::constant);
-    const bool holds =
-        least && most && interval_of(rewriter, value.operands[0]).within(least->number[0], most->number[0]);
-    return holds ? value.operands[0] : ValueId{};
-}
-
 ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
     const Value* t = rewriter.operand(value, 2, Op::constant);
     if (t && t->number[0] <= 0) return value.operands[0];
@@ -288,58 +258,6 @@ ValueId parallel_projection_has_one_gradient(Rewriter& rewriter, const Value& va
     };
     const ValueId axis_s = unit_row(0, "axis_s"), axis_t = unit_row(1, "axis_t");
     return rewriter.add(Op::decal_gradient_along, {value.operands[0], axis_s, axis_t}, value);
-}
-
-// ---- numbers ----
-
-double folded(Op op, double a, double b, double c) {
-    switch (op) {
-        case Op::add:
-            return a + b;
-        case Op::subtract:
-            return a - b;
-        case Op::multiply:
-            return a * b;
-        case Op::minimum:
-            return std::min(a, b);
-        case Op::maximum:
-            return std::max(a, b);
-        case Op::divide:
-            return b != 0 ? a / b : 0;
-        case Op::power:
-            return a > 0 ? std::pow(a, b) : 0;
-        case Op::clamp:
-            return std::min(std::max(a, b), c);
-        default:
-            return a + c * (b - a);  // mix
-    }
-}
-
-ValueId fold_numbers(Rewriter& rewriter, const Value& value) {
-    std::array<double, 3> n{};
-    for (std::size_t i = 0; i < value.operands.size(); ++i) {
-        const Value* number = rewriter.operand(value, i, Op::constant);
-        if (!number) return {};
-        n[i] = number->number[0];
-    }
-    double result = folded(value.op, n[0], n[1], n[2]);
-    if (!std::isfinite(result)) return {};
-    return rewriter.add(
-        Value{.op = Op::constant, .type = ir::Type::Scalar, .number = {result}, .layer = value.layer});
-}
-
-ValueId add_zero_or_multiply_by_one(Rewriter& rewriter, const Value& value) {
-    double neutral = value.op == Op::add ? 0 : 1;
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (is_constant(rewriter.operand(value, i, Op::constant), neutral)) return value.operands[1 - i];
-    }
-    return {};
-}
-
-ValueId drift_from_nowhere(Rewriter& rewriter, const Value& value) {
-    const Value* start = rewriter.operand(value, 0, Op::constant);
-    if (!start || start->number[0] != 0 || start->number[1] != 0) return {};
-    return rewriter.add(Op::travel, {value.operands[2], value.operands[1]}, value);
 }
 
 std::vector<Rule> rules_of_gradients() {
@@ -410,23 +328,9 @@ std::vector<Rule> rules_of_normals_and_bases() {
     };
 }
 
-std::vector<Rule> rules_of_numbers() {
+std::vector<Rule> last_rules() {
     using enum Op;
     return {
-        {"channel_by_its_name",
-         "a channel of a texel in another order is a channel of the texel",
-         {channel},
-         channel_by_its_name},
-        {"fold_numbers",
-         "what is known now need not be computed for every pixel",
-         {add, subtract, multiply, divide, minimum, maximum, power, clamp, mix},
-         fold_numbers},
-        {"number_is_within",
-         "what cannot leave its bounds need not be kept within them",
-         {clamp},
-         number_is_within},
-        {"neutral_number", "x + 0 = x, 1 x = x", {add, multiply}, add_zero_or_multiply_by_one},
-        {"drift_from_nowhere", "0 + t v = t v", {drift}, drift_from_nowhere},
         {"parallel_projection_has_one_gradient",
          "a parallel projection's gradients are the rows of its matrix, the same for every pixel",
          {decal_gradient},
@@ -444,7 +348,7 @@ std::vector<Rule> rules_of_numbers() {
 std::span<const Rule> all_rules() {
     static const std::vector<Rule> kRules = [] {
         std::vector<Rule> all = rules_of_gradients();
-        for (const std::vector<Rule>& more : {rules_of_normals_and_bases(), rules_of_numbers()})
+        for (const std::vector<Rule>& more : {rules_of_normals_and_bases(), rules_of_values(), last_rules()})
             all.insert(all.end(), more.begin(), more.end());
         return all;
     }();

@@ -142,11 +142,21 @@ std::string long_line(std::string_view glsl) {
 
 std::string idle_arithmetic(std::string_view glsl) {
     static const std::string kZero = "(0\\.0|vec[234]\\(0\\.0\\))", kOne = "(1\\.0|vec[234]\\(1\\.0\\))";
-    static const std::regex kIdle("[ (]" + kZero + " [+*] |[ (]" + kOne + " \\* | [-+*] " + kZero +
-                                  "[ ,;)]| \\* " + kOne + "[ ,;)]");
+    static const std::string kArgument = "(?:\\w+|\\w+\\(\\w*\\))";
+    static const std::regex kIdle[] = {
+        std::regex("[ (]" + kZero + " [-+*] |[ (]" + kOne + " \\* | [-+*] " + kZero + "[ ,;)]| \\* " + kOne +
+                   "[ ,;)]"),
+        std::regex("-0\\.0[ ,;)]|[ (]-1\\.0 \\* | \\* -1\\.0[ ,;)]"),
+        std::regex("[ (]mix\\((?:[^()]|\\([^()]*\\))*, [01]\\.0\\)"),
+        std::regex("sg_(uv|volume)_scale\\(" + kArgument + ", " + kOne + "\\)"),
+        std::regex("sg_frame_resolved\\(sg_stage_frame\\(\\w+, (" + kArgument + ")\\), \\1\\)"),
+    };
     const std::string body = last_function(glsl);
     std::smatch found;
-    return std::regex_search(body, found, kIdle) ? fmt::format("'{}'", found.str()) : "";
+    for (const std::regex& idle : kIdle) {
+        if (std::regex_search(body, found, idle)) return fmt::format("'{}'", found.str());
+    }
+    return "";
 }
 
 }  // namespace sg::test

@@ -25,7 +25,7 @@ std::string scattered_layer(std::string_view glsl, const std::set<std::string>& 
 // A line of more than 120 letters.
 std::string long_line(std::string_view glsl);
 
-// x + 0, 1 x and the like.
+// x + 0, 1 x, 0 - x, -1 x, a mix by 0 or 1, a frame on its own normal and the like; and -0.
 std::string idle_arithmetic(std::string_view glsl);
 
 }  // namespace sg::test

@@ -40,6 +40,30 @@ TEST(EmitText, ChannelsOfASwizzleAreThoseOfTheTexel) {
     EXPECT_EQ(Body(*module, material).operand({3}), "sg_stage_sample(t_t, s_0, sg_stage_uv(sg_in_uv0)).wzy");
 }
 
+// 0 - x and -1 x are negations; two of them are no decrement, and a sum stays together.
+TEST(EmitText, NegationsReadAsSuch) {
+    auto negated = [](const std::string& rest) {
+        const std::string text = text_of(
+            "%0 = time : Scalar\n%1 = facing : Scalar\n%2 = constant 0 : Scalar\n"
+            "%3 = constant -1 : Scalar\n" +
+            rest + "%8 = add %7 %7 : Scalar 'x'\noutput metallic = %8\n");
+        const std::size_t begin = text.find(" m_multiply = ") + 14;
+        return text.substr(begin, text.find(';', begin) - begin);
+    };
+    EXPECT_EQ(negated("%4 = subtract %2 %0 : Scalar\n%5 = multiply %4 %1 : Scalar\n%6 = multiply %5 %3 : "
+                      "Scalar\n%7 = multiply %6 %1 : Scalar\n"),
+              "-(-sg_stage_time() * m_facing) * m_facing");
+    EXPECT_EQ(negated("%4 = add %0 %1 : Scalar\n%5 = multiply %3 %4 : Scalar\n%6 = subtract %2 %5 : Scalar\n"
+                      "%7 = multiply %1 %6 : Scalar\n"),
+              "m_facing * (-(-(sg_stage_time() + m_facing)))");
+    EXPECT_EQ(text_of(std::string(kHead) +
+                      "layer \"a\" noise\n%3 = constant 1 : Scalar\n%4 = noise_perlin %2 : Noise\n"
+                      "%5 = noise_gradient %3 %4 : LocalGrad\n%6 = gradient_from_object %5 : VolGrad\n"
+                      "layer none\n%7 = surfgrad_from_volume %1 %6 : SurfGrad\noutput gradient = %7\n"),
+              "    // a: noise\n    vec3 m_a = sg_stage_gradient_from_object("
+              "sg_volume_perlin(sg_stage_volume(sg_in_object_position)).gradient);\n");
+}
+
 TEST(EmitText, ANodeKeepsItsName) {
     EXPECT_EQ(text_of("%0 = time : Scalar\n%1 = add %0 %0 : Scalar \"two times\"\n"
                       "%2 = multiply %1 %0 : Scalar 'a hint'\noutput metallic = %2\n"),

@@ -117,6 +117,50 @@ const RuleCase kCases[] = {
      "%10 %8 : Scalar\n"
      "output metallic = %11\n",
      "%0 = constant 4 : Scalar\noutput metallic = %0\n"},
+    // Colours and vectors too, by the interpreter: the mix is (1, 1, 1), the smooth step 0.5.
+    {"fold_numbers",
+     "%8 = constant 0.5 0.25 0 : Color\n%9 = constant 0.25 : Scalar\n%10 = grey %9 : Color\n"
+     "%11 = add_color %8 %10 : Color\n%12 = constant 1.25 1.5 1.75 : Color\n%13 = constant 0.5 : Scalar\n"
+     "%14 = mix_color %11 %12 %13 : Color\n%15 = constant 0 : Scalar\n%16 = constant 1 : Scalar\n"
+     "%17 = smoothstep %15 %16 %13 : Scalar\n%18 = grey %17 : Color\n%19 = multiply_color %14 %18 : Color\n"
+     "output base_color = %19\n",
+     "%0 = constant 0.5 0.5 0.5 : Color\noutput base_color = %0\n"},
+    {"neutral_number",
+     "%8 = constant 1 1 1 : Color\n%9 = sample 0 %4 : Texel\n%10 = rgb %9 : Color\n%11 = multiply_color %10 "
+     "%8 : Color\n%12 = constant 0 0 0 : Color\n%13 = add_color %12 %11 : Color\n%14 = facing : Scalar\n"
+     "%15 = constant 0 : Scalar\n%16 = subtract %14 %15 : Scalar\n%17 = constant 1 : Scalar\n"
+     "%18 = divide %16 %17 : Scalar\noutput base_color = %13\noutput metallic = %18\n",
+     "%2 = rgb %1 : Color\n%3 = facing : Scalar\noutput base_color = %2\noutput metallic = %3\n"},
+    // A decal under a mask of 0: nothing is left of its projector.
+    {"times_nothing",
+     "%8 = constant 1 0 0 : Vec3\n%9 = projector %8 %8 %8 %8 : Projector\n%10 = volume_world : Volume\n"
+     "%11 = decal_box %9 %10 : Decal\n%12 = decal_gradient %7 %11 : LocalGrad\n"
+     "%13 = gradient_from_world %12 : VolGrad\n%14 = surfgrad_from_volume %1 %13 : SurfGrad\n"
+     "%15 = constant 0.2 : Scalar\n%16 = decal_falloff_box %11 %15 : Scalar\n%17 = constant 0 : Scalar\n"
+     "%18 = decal_angle_fade %1 %8 %17 %15 : Scalar\n%19 = multiply %16 %18 : Scalar\n"
+     "%20 = multiply %17 %19 : Scalar\n%21 = mask_surfgrad %14 %20 : SurfGrad\noutput gradient = %21\n",
+     "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+    {"one_sided_mix",
+     "%8 = constant 0 : Scalar\n%9 = facing : Scalar\n%10 = time : Scalar\n%11 = constant 1 : Scalar\n"
+     "%12 = mix %9 %10 %8 : Scalar\n%13 = mix %10 %12 %11 : Scalar\n%14 = mix %13 %13 %10 : Scalar\n"
+     "output metallic = %14\n",
+     "%0 = facing : Scalar\noutput metallic = %0\n"},
+    // A decal of strength 0 in front of which there is nothing.
+    {"one_sided_mix",
+     "%8 = facing : Scalar\n%9 = zero_surfgrad : SurfGrad\n%10 = mix_surfgrad %9 %9 %8 : SurfGrad\n"
+     "output gradient = %10\n",
+     "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
+    {"lookup_by_one",
+     "%8 = volume_world : Volume\n%9 = constant 1 : Scalar\n%10 = volume_scale %8 %9 : Volume\n"
+     "%11 = height %10 : Scalar\n%12 = constant 1 1 : Vec2\n%13 = uv_scale %4 %12 : Uv\n"
+     "%14 = sample 0 %13 : Texel\n%15 = channel 0 %14 : Scalar\noutput metallic = %11\noutput roughness = "
+     "%15\n",
+     "%0 = uv_set 0 : Uv\n%1 = sample 0 %0 : Texel\n%2 = volume_world : Volume\n%3 = height %2 : Scalar\n"
+     "%4 = channel 0 %1 : Scalar\noutput metallic = %3\noutput roughness = %4\n"},
+    {"frame_of_its_normal",
+     "%8 = position : Position\n%9 = frame %8 %1 : Frame\n%10 = frame_resolved %9 %1 : Frame\noutput frame = "
+     "%10\n",
+     "%2 = position : Position\n%3 = frame %2 %1 : Frame\noutput frame = %3\n"},
     {"neutral_number",
      "%8 = constant 1 : Scalar\n%9 = facing : Scalar\n%10 = multiply %8 %9 : Scalar\n%11 = constant 0 : "
      "Scalar\n"
@@ -262,6 +306,29 @@ TEST(Opt, WhatTheHostComputesIsVerified) {
     EXPECT_EQ(
         faults("host %0 = parameter 0 : Scalar\nderived 0 \"d\" : Scalar = %0\n%0 = derived 0 : Color\n"),
         "%0: derived 'd' is Scalar, the value is Color\n");
+}
+
+// Of what may be endless or no number, 0 times it is not known.
+TEST(Opt, OnlyNumbersWithABoundVanishUnderZero) {
+    auto vanishes = [](const std::string& factor, const std::string& encoding) {
+        const std::string text = "texture 0 \"t\" " + encoding +
+                                 "\nparameter 0 \"free\" : Scalar\nparameter 1 \"bounded\" : Scalar 0 8\n"
+                                 "%0 = uv_set 0 : Uv\n%1 = sample 0 %0 : Texel\n" +
+                                 factor +
+                                 "%4 = constant 0 : Scalar\n%5 = multiply %3 %4 : Scalar\noutput metallic = "
+                                 "%5\n";
+        return optimised(text).find("%0 = constant 0 : Scalar\noutput metallic = %0\n") != std::string::npos;
+    };
+    const std::string red = "%2 = constant 3 : Scalar\n%3 = channel 0 %1 : Scalar\n";
+    const std::string alpha = "%2 = constant 3 : Scalar\n%3 = channel 3 %1 : Scalar\n";
+    EXPECT_TRUE(vanishes(red, "mask"));
+    EXPECT_FALSE(vanishes(red, "height"));
+    EXPECT_FALSE(vanishes(red, "color"));
+    EXPECT_TRUE(vanishes(alpha, "color"));
+    EXPECT_TRUE(vanishes("%2 = parameter 1 : Scalar\n%3 = add %2 %2 : Scalar\n", "mask"));
+    EXPECT_FALSE(vanishes("%2 = parameter 0 : Scalar\n%3 = maximum %2 %2 : Scalar\n", "mask"));
+    EXPECT_FALSE(vanishes("%2 = time : Scalar\n%3 = minimum %2 %2 : Scalar\n", "mask"));
+    EXPECT_TRUE(vanishes("%2 = time : Scalar\n%3 = smoothstep %2 %2 %2 : Scalar\n", "mask"));
 }
 
 TEST(Opt, NegativeTilingKeepsItsOwnBasis) {

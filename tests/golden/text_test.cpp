@@ -1,0 +1,141 @@
+// What becomes of small materials: their GLSL, word by word where that is what matters.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compile.hpp"
+#include "tests/support/golden.hpp"
+#include "text_faults.hpp"
+
+namespace sg {
+namespace {
+
+// The texts of a material by name ("forward.frag"), each free of faults.
+class Text {
+public:
+    explicit Text(const std::string& bump, const std::string& rest = "") {
+        const std::string material = R"({ "version": 1, "textures": {
+            "n": { "file": "textures/pebble_normal.png", "encoding": "tangent_normal" },
+            "h": { "file": "textures/pebble_height.png", "encoding": "height" },
+            "p": { "file": "textures/pebble_parallax.png", "encoding": "parallax_map" },
+            "c": { "file": "textures/stone_color.png", "encoding": "color" },
+            "m": { "file": "textures/moss_mask.png", "encoding": "mask" } },
+            "bump": [ )" + bump + " ]" +
+                                     rest + " }";
+        CompileRequest request{.source = std::make_shared<Source>(Source{"small.json", material})};
+        request.stem = "small";
+        request.roots = {test::source_dir() / "materials"};
+        RealFiles files;
+        Diags diags;
+        auto compiled = compile_material(request, files, target::embedded_library(), diags);
+        EXPECT_TRUE(compiled) << render(diags);
+        if (!compiled) return;
+        texts_ = std::move(compiled->glsl);
+        for (const NamedText& t : texts_) {
+            EXPECT_EQ(test::idle_arithmetic(t.text), "") << t.text;
+            EXPECT_EQ(test::computed_twice(t.text), "") << t.text;
+            EXPECT_EQ(test::comment_twice(t.text), "") << t.text;
+        }
+    }
+
+    [[nodiscard]] std::string of(std::string_view name) const {
+        for (const NamedText& t : texts_) {
+            if (t.name == name) return t.text;
+        }
+        ADD_FAILURE() << "no text " << name;
+        return "";
+    }
+    // The lines of the forward shader's main().
+    [[nodiscard]] std::string main() const {
+        const std::string text = of("forward.frag");
+        return text.substr(text.find("void main() {\n") + 14);
+    }
+    [[nodiscard]] bool has(std::string_view words) const {
+        return std::any_of(texts_.begin(), texts_.end(),
+                           [&](const NamedText& t) { return t.text.find(words) != std::string::npos; });
+    }
+    // As another material, but for its name.
+    void expect_same(const Text& other) const {
+        for (const NamedText& t : texts_) EXPECT_EQ(t.text, other.of(t.name));
+    }
+
+private:
+    std::vector<NamedText> texts_;
+};
+
+std::string entry(const std::string& layers) {
+    return R"({ "layers": [ )" + layers + " ] }";
+}
+
+const Text& plain() {
+    static const Text kPlain(entry(""));
+    return kPlain;
+}
+
+TEST(Text, LayersUnderAMaskOfNothingVanish) {
+    const std::string decal = R"({ "kind": "decal", "texture": "n", "cutout": "m", "angle_fade": [50, 85], )";
+    const std::string map = R"({ "kind": "normal_map", "texture": "n", "basis": "vertex", )";
+    for (
+        const char* rest :
+        {R"("mask": 0 })", R"("mask": 0, "blend": "mix" })", R"("strength": 0 })",
+         R"("strength": 0, "blend": "mix" })",
+         R"("mask": { "op": "smoothstep", "low": 0, "high": 1, "x": -1 } })",
+         R"("mask": { "op": "multiply", "a": { "op": "texture", "texture": "m" }, "b": 0 }, "blend": "mix" })",
+         R"("mask": { "op": "select", "condition": 0, "a": 0.5, "b": 0 } })"}) {
+        Text(entry(decal + rest)).expect_same(plain());
+    }
+    Text(entry(map + R"("mask": "@none" })"), R"(, "nodes": { "none": 0 })").expect_same(plain());
+    EXPECT_TRUE(Text(entry(decal + R"("mask": 0.5 })")).has("sg_decal_box("));
+}
+
+TEST(Text, ColoursThatAreKnownAreFolded) {
+    const Text text(entry(""), R"(, "surface": { "base_color": { "op": "mix_color", "a": [1, 0, 0],
+        "b": { "op": "add_color", "a": [0.5, 0, 0], "b": { "op": "multiply_color", "a": [1, 1, 1], "b": [0, 0.25, 0] } },
+        "t": 1 } })");
+    EXPECT_NE(text.main().find("sg_surface.base_color = vec3(0.5, 0.25, 0.0);"), std::string::npos)
+        << text.main();
+}
+
+TEST(Text, AParallaxOfStrengthNothingIsNone) {
+    const std::string color = R"(, "surface": { "base_color": { "texture": "c" } })";
+    const std::string layers = R"("layers": [ { "id": "a", "kind": "normal_map", "texture": "n" } ] })";
+    const Text without("{ " + layers, color);
+    for (const char* kind : {R"("offset", "texture": "h")", R"("steps", "texture": "p")",
+                             R"("occlusion", "texture": "h", "mesh": "flat")"}) {
+        const std::string parallax = std::string(R"({ "parallax": { "kind": )") + kind + R"(, "strength": )";
+        Text(parallax + "0 }, " + layers, color).expect_same(without);
+        EXPECT_TRUE(Text(parallax + "0.1 }, " + layers, color).has("sg_parallax_"));
+    }
+}
+
+TEST(Text, AnEmptyFirstEntryLeavesTheFrame) {
+    const std::string map = R"({ "id": "a", "kind": "normal_map", "texture": "n" })";
+    const std::string second = Text(entry("") + ", " + entry(map)).main(), only = Text(entry(map)).main();
+    EXPECT_EQ(second, only);
+}
+
+TEST(Text, WhatIsOneIsNotWritten) {
+    const std::string expected = R"(    // grain: noise
+    vec3 m_grain = sg_stage_gradient_from_object(
+        sg_volume_fractal_sum(sg_stage_volume(sg_in_object_position), 4).gradient);
+)";
+    EXPECT_EQ(Text(entry(R"({ "id": "grain", "kind": "noise" })")).main().substr(0, expected.size()),
+              expected);
+    EXPECT_FALSE(Text(entry(R"({ "kind": "noise", "function": "perlin", "power": 1 },
+        { "kind": "decal", "texture": "n", "angle_fade": [50, 85] })"))
+                     .has("sg_volume_scale("));
+}
+
+TEST(Text, NegationsReadAsSuch) {
+    const std::string roughness = Text(entry(""), R"(, "surface": { "roughness": { "op": "multiply",
+        "a": { "op": "multiply", "a": { "op": "distance" }, "b": -1 },
+        "b": { "op": "subtract", "a": 0, "b": { "op": "height" } } } })")
+                                      .main();
+    EXPECT_NE(roughness.find("sg_surface.roughness = -length(sg_in_position) * "
+                             "-sg_stage_volume(sg_in_object_position).p.y;"),
+              std::string::npos)
+        << roughness;
+}
+
+}  // namespace
+}  // namespace sg
