@@ -207,10 +207,17 @@ void add_message_options(CLI::App& command, Options& options) {
 void add_input_options(CLI::App& command, Options& options) {
     command.add_option("FILE", options.files, "material files; - reads standard input")->required();
     command.add_option("-I", options.roots, "further folder that textures may be below (repeatable)")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->allow_extra_args(false)
+        ->check([](const std::string& folder) {
+            std::error_code fault;
+            return fs::is_directory(folder, fault) ? ""
+                                                   : fmt::format("'{}' is no folder", sg::printable(folder));
+        });
     command
         .add_option("-D", options.defines, "macro of custom layers' GLSL: NAME or NAME=VALUE (repeatable)")
         ->type_name("NAME=VALUE")
+        ->allow_extra_args(false)
         ->check([](const std::string& word) {
             auto [name, value] = split_define(word);
             return sg::custom::define_fault(name, value);
@@ -230,21 +237,27 @@ void add_compile_options(CLI::App& command, Options& options) {
     for (const sg::emit::EntryPoint& entry : sg::emit::all_entry_points()) entries.emplace_back(entry.name);
     entries.emplace_back(sg::emit::kFunctionEntry);
     command.add_option("-o", options.out_dir, "folder of the artefact")->required()->type_name("DIR");
-    command.add_option("--entry", options.entries, "entry points to compile, all by default")
+    command
+        .add_option("--entry", options.entries,
+                    "entry points to compile, all by default (a list; repeatable)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(entries));
     command.add_option("--target", options.targets, "languages to write: a target or a group of them")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(sg::target::target_words()))
         ->capture_default_str();
     command.add_option("--emit", options.emit, "further texts to write: ir, opt-ir, glsl, spvasm")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember({"ir", "opt-ir", "glsl", "spvasm"}));
     command
         .add_option(
             "--budget", options.budget,
             "fail where the forward shader costs more: instructions=N, texture_reads=N, interpolants=N")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check([](const std::string& word) {
             sg::material::Budget budget;
             return set_limit(word, budget);

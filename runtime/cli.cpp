@@ -125,6 +125,9 @@ void check(const Texts& texts, Arguments& out, Diags& diags) {
     if (!std::isfinite(out.time) || !std::isfinite(out.exposure)) {
         bad(diags, "--time and --exposure", "finite numbers", "nan or inf");
     }
+    std::error_code fault;
+    if (out.texture_root && !std::filesystem::is_directory(*out.texture_root, fault))
+        bad(diags, "--texture-root", "a folder", out.texture_root->string());
     if (out.list_devices) return;
     check_angles(texts, out, diags);
     if (out.input.empty())

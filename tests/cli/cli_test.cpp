@@ -235,6 +235,48 @@ TEST_F(Cli, NumbersAsUniformsShareOneShader) {
     EXPECT_EQ(run(root_ / "one", "compile materials/noise.json -o out --numbers lifted").exit_code, 2);
 }
 
+// An option takes one value, or one list, each time; the files may stand behind it.
+TEST_F(Cli, OptionsLeaveTheFilesAlone) {
+    fs::path one = root_ / "one";
+    write("one/bad.json", "{ \"version\": 1, \"bmup\": [] }");
+    fs::create_directories(one / "other");
+    const std::string unknown = "bad.json:1:17: error: unknown key 'bmup' in a material, did you mean";
+    for (const std::string options : {"-I materials", "-I materials -I other", "-D TWO", "-D TWO=2"}) {
+        Outcome out = run(one, "check " + options + " bad.json materials/normal_map.json");
+        EXPECT_EQ(out.exit_code, 1) << options;
+        EXPECT_EQ(out.text.find(unknown), 0u) << options << "\n" << out.text;
+    }
+    for (const std::string options :
+         {"--target spirv", "--target hlsl,msl --target spirv", "--entry normal", "--entry normal,depth",
+          "--emit ir", "--emit ir,glsl --emit spvasm", "--budget texture_reads=9",
+          "--budget texture_reads=9 --budget interpolants=99"}) {
+        fs::remove_all(one / "out");
+        Outcome out = run(one, "compile " + options + " materials/normal_map.json -o out");
+        EXPECT_EQ(out.exit_code, 0) << options << "\n" << out.text;
+        EXPECT_TRUE(fs::exists(one / "out/normal_map.json")) << options;
+    }
+    EXPECT_EQ(run(one,
+                  "compile --budget texture_reads=0 --budget interpolants=64 materials/normal_map.json "
+                  "-o out")
+                  .exit_code,
+              1);
+    EXPECT_EQ(
+        run(one, "compile --emit ir --emit glsl --entry normal materials/normal_map.json -o two").exit_code,
+        0);
+    EXPECT_TRUE(fs::exists(one / "two/normal_map.ir"));
+    EXPECT_TRUE(fs::exists(one / "two/normal_map.normal.frag.glsl"));
+}
+
+TEST_F(Cli, ARootIsAFolder) {
+    fs::path one = root_ / "one";
+    for (const std::string root : {"nowhere", "materials/normal_map.json"}) {
+        Outcome out = run(one, "check materials/normal_map.json -I " + root);
+        EXPECT_EQ(out.exit_code, 2);
+        EXPECT_EQ(out.text, "surfgradc: -I: '" + root +
+                                "' is no folder\nsurfgradc check --help tells what is expected\n");
+    }
+}
+
 TEST_F(Cli, WrongWordsNameTheNearest) {
     fs::path one = root_ / "one";
     EXPECT_EQ(run(one, "chek a.json").text,

@@ -138,6 +138,20 @@ TEST_F(Program, FindsTexturesBelowTheirRoot) {
     std::filesystem::create_directory(folder_ / "root");
     std::filesystem::rename(folder_ / "elsewhere", folder_ / "root/pictures");
     expect("sample.json -o a.png --size 16 --texture-root root", 0, "");
+    expect("--texture-root root sample.json -o a.png --size 16", 0, "");
+    for (const std::string root : {"nowhere", "sample.json"})
+        expect("sample.json -o b.png --texture-root " + root, 2,
+               "error: --texture-root: expected a folder, not '" + root + "' [SG2105]\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "b.png"));
+}
+
+// Options that may be repeated take one value each, so that the file may stand behind them.
+TEST_F(Program, AFileMayStandBehindAnyOption) {
+    expect("--param gain=0.5 --param tint=1,0,0 sample.json --size 16 -o a.png", 0, "");
+    expect("sample.json --param tint=1,0,0 --param gain=0.5 --size 16 -o b.png", 0, "");
+    EXPECT_TRUE(files_.read(folder_ / "a.png").bytes == files_.read(folder_ / "b.png").bytes);
+    expect("-o c.png --height-of paint=a.png sample.json", 2,
+           "error: --height-of: expected --view error beside it [SG2105]\n");
 }
 
 // A texture parameter: the picture is that of the instance which has the same values.
