@@ -66,9 +66,9 @@ public:
 
     bool null() { return scalar(Value{.kind = Kind::null}); }
     bool boolean(bool value) { return scalar(Value{.kind = Kind::boolean, .boolean = value}); }
-    bool number_integer(json::number_integer_t value) { return number(static_cast<double>(value), true); }
-    bool number_unsigned(json::number_unsigned_t value) { return number(static_cast<double>(value), true); }
-    bool number_float(json::number_float_t value, const std::string&) { return number(value, false); }
+    bool number_integer(json::number_integer_t value) { return number(static_cast<double>(value)); }
+    bool number_unsigned(json::number_unsigned_t value) { return number(static_cast<double>(value)); }
+    bool number_float(json::number_float_t value, const std::string&) { return number(value); }
     bool string(std::string& value) {
         return scalar(Value{.kind = Kind::string, .string = std::move(value)});
     }
@@ -125,9 +125,7 @@ private:
         return out;
     }
 
-    bool number(double value, bool is_integer) {
-        return scalar(Value{.kind = Kind::number, .number = value, .is_integer = is_integer});
-    }
+    bool number(double value) { return scalar(Value{.kind = Kind::number, .number = value}); }
 
     bool scalar(Value value) {
         value.span = cursor_.next();

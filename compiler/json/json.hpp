@@ -21,7 +21,6 @@ struct Value {
     Span span;  // from the first to past the last byte, brackets and quotes included
     bool boolean = false;
     double number = 0;            // always finite
-    bool is_integer = false;      // written without fraction and exponent
     std::string string;           // escapes resolved, valid UTF-8
     std::vector<Value> items;     // of an array
     std::vector<Member> members;  // of an object, in the order of the text

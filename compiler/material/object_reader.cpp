@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sg::material {
 
@@ -67,6 +68,24 @@ bool ObjectReader::check_name(const std::string& name, const At& at) {
     return false;
 }
 
+bool ObjectReader::check_own_name(const std::string& name, const At& at) {
+    if (!check_name(name, at)) return false;
+    if (name[0] != '$' && name[0] != '@') return true;
+    error(Code::bad_name, at,
+          fmt::format("bad name '{}', expected one that does not start with '$', which leads to a parameter, "
+                      "or '@', which leads to a node",
+                      printable(name)));
+    return false;
+}
+
+Located<std::string> ObjectReader::id() {
+    std::optional<std::string> text = string("id");
+    if (!text) return {};
+    At place = at("id", *get("id"));
+    if (!check_own_name(*text, place)) return {};
+    return {std::move(*text), std::move(place)};
+}
+
 std::optional<std::string> ObjectReader::name(std::string_view key, bool required) {
     std::optional<std::string> text = string(key, required);
     if (text && !check_name(*text, at(key, *object_->find(key)))) return std::nullopt;
@@ -107,7 +126,7 @@ std::optional<std::uint32_t> ObjectReader::integer(std::string_view key, Range r
               fmt::format("expected {} for '{}', found {}", expected, key, kind_name(value->kind)));
         return std::nullopt;
     }
-    if (!value->is_integer) {
+    if (value->number != std::floor(value->number)) {
         error(Code::wrong_type, at(key, *value),
               fmt::format("expected an integer for '{}', found {}", key, value->number));
         return std::nullopt;
@@ -196,7 +215,8 @@ std::vector<std::pair<const json::Member*, std::string>> ObjectReader::named(std
     for (std::size_t i = 0; value && i < value->members.size(); ++i) {
         const json::Member& member = value->members[i];
         std::string pointer = at_.pointer + json::pointer_step(key) + json::pointer_step(member.key);
-        if (check_name(member.key, {member.key_span, pointer})) out.emplace_back(&member, std::move(pointer));
+        if (check_own_name(member.key, {member.key_span, pointer}))
+            out.emplace_back(&member, std::move(pointer));
     }
     return out;
 }

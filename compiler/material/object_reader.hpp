@@ -37,6 +37,8 @@ public:
     std::optional<std::string> string(std::string_view key, bool required = false);
     // A string of 1 to 64 printable characters.
     std::optional<std::string> name(std::string_view key, bool required = false);
+    // What the key "id" gives this object as its name; empty without one.
+    Located<std::string> id();
     // A path: any string but an empty one.
     std::optional<std::string> name_of_file(std::string_view key);
     std::optional<bool> boolean(std::string_view key);
@@ -64,6 +66,8 @@ public:
         diags_.error(code, {source_, at.span, at.pointer}, std::move(message));
     }
     bool check_name(const std::string& name, const At& at);
+    // Of what the material declares: '$' and '@' lead to parameters and nodes.
+    bool check_own_name(const std::string& name, const At& at);
 
 private:
     const json::Value* expect(std::string_view key, json::Kind kind, bool required);

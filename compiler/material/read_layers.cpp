@@ -26,7 +26,7 @@ std::optional<LayerDecl> Reader::group(const Value& value, const std::string& po
     add_names(keys, layers::common_fields());
     ObjectReader reader = object(value, pointer, "a group", keys);
     LayerDecl decl{.at = reader.at()};
-    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    decl.id = reader.id();
     decl.common = entries(reader, layers::common_fields());
     for (const auto& [item, item_pointer] : reader.array("layers", true)) {
         if (auto found = layer(*item, item_pointer)) decl.group.layers.push_back(std::move(*found));
@@ -62,7 +62,7 @@ std::optional<LayerDecl> Reader::layer(const Value& value, const std::string& po
         object(value, pointer, kind ? fmt::format("a layer of kind '{}'", kind->name) : "a layer", keys);
     if (!reader.string("kind", true) || !kind) return std::nullopt;
     LayerDecl decl{.kind = kind, .at = reader.at()};
-    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    decl.id = reader.id();
     decl.entries = entries(reader, kind->fields);
     decl.common = entries(reader, layers::common_fields());
     for (const Field& row : kind->fields) {
@@ -125,7 +125,7 @@ void Reader::stage(const Value& value, const std::string& pointer) {
     ObjectReader reader = object(value, pointer, "an entry of 'bump'", {"id", "parallax", "layers"});
     if (!reader.ok()) return;
     StageDecl decl{.at = reader.at()};
-    if (auto id = reader.name("id")) decl.id = {*id, reader.at("id", *reader.get("id"))};
+    decl.id = reader.id();
     if (const Value* found = reader.get("parallax")) decl.parallax = parallax(*found, pointer + "/parallax");
     for (const auto& [item, item_pointer] : reader.array("layers", true)) {
         if (auto found = layer(*item, item_pointer)) decl.layers.push_back(std::move(*found));
