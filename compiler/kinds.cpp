@@ -27,7 +27,7 @@ std::string values(const Field& field) {
             return fmt::format("a texture of encoding {}", list(names));
         }
         case FieldKind::uv:
-            return "0 to 7, or an object";
+            return "0 to 7, or an [object](#coordinates)";
         case FieldKind::choice:
             return list(field.choices);
         case FieldKind::flag:
@@ -106,11 +106,24 @@ std::string rows(std::span<const Field> fields) {
         if (!given.empty() && !field.required) given = ", default " + given;
         if (field.required) given = "; required";
         std::string line = values(field) + given + unit;
+        if (field.kind == FieldKind::uv) line = "0 to 7, or an object (see uv)" + given;
         std::erase(line, '`');
         out += fmt::format("  {:<10} {}\n             {}\n", field.name, line, field.doc);
     }
     return out;
 }
+
+// The object that may stand for a uv set: what a key may be, and what it is else.
+std::string values(const layers::CoordinateKey& key) {
+    return fmt::format("{}{} to {}{}{}", key.count == 2 ? "one or two numbers, " : "", key.minimum,
+                       key.maximum, key.whole ? ", whole" : "",
+                       key.unit.empty() ? "" : fmt::format("; {}", key.unit));
+}
+std::string fallback(const layers::CoordinateKey& key) {
+    return key.count == 2 ? fmt::format("{0}, {0}", key.fallback) : fmt::format("{}", key.fallback);
+}
+constexpr std::string_view kCoordinateDoc =
+    "st' = R (scale st) + offset + time speed, R the rotation; a field `tiling` multiplies the result";
 
 std::string inputs_of(const ir::LightingModel& model) {
     std::string out;
@@ -129,6 +142,14 @@ std::string kinds_text() {
         out += fmt::format("\nparallax {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
     for (const layers::NodeKind& kind : layers::all_node_kinds()) {
         out += fmt::format("\nnode {}: {}\n{}", kind.name, kind.doc, rows(kind.fields));
+    }
+    std::string coordinate(kCoordinateDoc);
+    std::erase(coordinate, '`');
+    out += fmt::format("\nuv, as an object: {}\n", coordinate);
+    for (const layers::CoordinateKey& key : layers::coordinate_keys()) {
+        std::string line = fmt::format("{}, default {}", values(key), fallback(key));
+        std::erase(line, '`');
+        out += fmt::format("  {:<10} {}\n             {}\n", key.name, line, key.doc);
     }
     out += "\nsurface:\n" + rows(layers::surface_fields());
     for (const ir::LightingModel& model : ir::all_lighting_models())
@@ -164,6 +185,12 @@ std::string kinds_markdown() {
         out +=
             fmt::format("\n### `{}`\n\n{}; gives {}.\n{}", kind.name, kind.doc, result, table(kind.fields));
     }
+    out += fmt::format(
+        "\n## Coordinates\n\nA field `uv` is the number of a uv set, or an object of these keys: {}.\n\n"
+        "| key | what | values | default |\n|---|---|---|---|\n",
+        kCoordinateDoc);
+    for (const layers::CoordinateKey& key : layers::coordinate_keys())
+        out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, key.doc, values(key), fallback(key));
     out += "\n## Surface\n\nBeside `lighting`, `alpha_test` and `two_sided`, `surface` has:\n";
     out += table(layers::surface_fields());
     out +=

@@ -32,6 +32,20 @@ Json words(std::span<const std::string_view> choices) {
     return {{"enum", list}};
 }
 
+// A part with its description and, unless it is null, its default.
+Json said(Json part, std::string_view description, Json fallback = nullptr) {
+    part["description"] = description;
+    if (!fallback.is_null()) part["default"] = std::move(fallback);
+    return part;
+}
+Json whole(double minimum, double maximum) {
+    return {{"type", "integer"}, {"minimum", minimum}, {"maximum", maximum}};
+}
+// A part that is defined elsewhere; draft-07 ignores what stands beside "$ref" itself.
+Json referred(const std::string& name, std::string_view description, Json fallback = nullptr) {
+    return said({{"allOf", Json::array({reference(name)})}}, description, std::move(fallback));
+}
+
 Json object(Json properties, std::vector<std::string> required = {}) {
     Json out = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     if (!required.empty()) out["required"] = required;
@@ -50,7 +64,7 @@ Json value_of(const Field& field) {
         case FieldKind::flag:
             return {{"type", "boolean"}};
         case FieldKind::integer:
-            return {{"type", "integer"}, {"minimum", field.minimum}, {"maximum", field.maximum}};
+            return whole(field.minimum, field.maximum);
         case FieldKind::number:
             return {{"anyOf",
                      {bounded, reference("parameter_reference"), reference("node_reference"),
@@ -85,6 +99,7 @@ Json value_of(const Field& field) {
 
 Json described(const Field& field) {
     Json out = value_of(field);
+    if (out.contains("$ref")) out = {{"allOf", Json::array({out})}};
     std::string unit = field.unit.empty() ? "" : fmt::format(" ({})", field.unit);
     out["description"] = std::string(field.doc) + unit;
     constexpr FieldKind kNone[] = {FieldKind::texture,   FieldKind::range,  FieldKind::direction,
@@ -104,6 +119,51 @@ Json described(const Field& field) {
     return out;
 }
 
+// What one field asks of another, as "if" and "then".
+Json rule_schema(const layers::Rule& rule, std::span<const Field> fields) {
+    auto row = [&](std::string_view name) -> const Field& {
+        return *std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+    };
+    auto by_default = [&](std::string_view name, std::string_view word) {
+        const Field& field = row(name);
+        return !field.required && field.choices[static_cast<std::size_t>(field.fallback)] == word;
+    };
+    const std::string field(rule.field), other(rule.other);
+    Json when = Json::object(), then;
+    if (!rule.word.empty()) when["properties"] = {{field, {{"const", rule.word}}}};
+    if (rule.word.empty() || !by_default(field, rule.word)) when["required"] = {field};
+    switch (rule.asks) {
+        case layers::Rule::Asks::choice:
+            then["properties"] = {{other, words(rule.words)}};
+            if (std::none_of(rule.words.begin(), rule.words.end(),
+                             [&](std::string_view word) { return by_default(other, word); }))
+                then["required"] = {other};
+            break;
+        case layers::Rule::Asks::absence:
+            then["not"] = {{"required", {other}}};
+            break;
+        case layers::Rule::Asks::plain_uv: {
+            const Json zero = {{"const", 0}};
+            Json still = {{"type", "object"}, {"properties", {{"set", zero}, {"rotation", zero}}}};
+            then["properties"] = {{other, {{"anyOf", Json::array({zero, still})}}}};
+        }
+    }
+    return {{"if", when}, {"then", then}};
+}
+
+// An object of these fields, and what they ask of each other.
+template <class Kind>
+Json kind_object(const Kind& kind, const Json& properties, const std::vector<std::string>& required) {
+    Json out = object(properties, required);
+    out["description"] = kind.doc;
+    for (const layers::Rule& rule : kind.rules) out["allOf"].push_back(rule_schema(rule, kind.fields));
+    return out;
+}
+
+Json own_id(std::string_view of) {
+    return referred("own_name", fmt::format("the name of the {} in messages, views and generated text", of));
+}
+
 void add_fields(Json& properties, std::vector<std::string>& required, std::span<const Field> fields) {
     for (const Field& field : fields) {
         properties[std::string(field.name)] = described(field);
@@ -112,22 +172,25 @@ void add_fields(Json& properties, std::vector<std::string>& required, std::span<
 }
 
 Json layer_schema(const layers::LayerKind& kind) {
-    Json properties = {{"id", reference("name")}, {"kind", {{"const", kind.name}}}};
+    Json properties = {{"id", own_id("layer")}, {"kind", said({{"const", kind.name}}, kind.doc)}};
     std::vector<std::string> required = {"kind"};
     add_fields(properties, required, kind.fields);
     add_fields(properties, required, layers::common_fields());
-    Json out = object(properties, required);
-    out["description"] = kind.doc;
-    return out;
+    return kind_object(kind, properties, required);
+}
+
+Json layer_list(std::string_view description) {
+    return said({{"type", "array"}, {"items", reference("layer")}}, description);
 }
 
 Json group_schema() {
-    Json properties = {{"id", reference("name")},
-                       {"kind", {{"const", "group"}}},
-                       {"layers", {{"type", "array"}, {"items", reference("layer")}}}};
+    constexpr std::string_view kDoc = "layers that are summed first and then count as one";
+    Json properties = {{"id", own_id("group")},
+                       {"kind", said({{"const", "group"}}, kDoc)},
+                       {"layers", layer_list("what the group sums")}};
     std::vector<std::string> required = {"kind", "layers"};
     add_fields(properties, required, layers::common_fields());
-    return object(properties, required);
+    return said(object(properties, required), kDoc);
 }
 
 // `shorthand`: without "op".
@@ -135,24 +198,21 @@ Json node_schema(const layers::NodeKind& kind, bool shorthand) {
     Json properties = Json::object();
     std::vector<std::string> required;
     if (!shorthand) {
-        properties["op"] = {{"const", kind.name}};
+        properties["op"] = said({{"const", kind.name}}, kind.doc);
         required.emplace_back("op");
     }
     add_fields(properties, required, kind.fields);
     if (shorthand && kind.name == "texture") required.emplace_back("channel");
-    Json out = object(properties, required);
-    out["description"] = kind.doc;
-    return out;
+    return kind_object(kind, properties, required);
 }
 
 Json parallax_definition() {
     Json any = Json::array();
     for (const layers::ParallaxKind& kind : layers::all_parallax_kinds()) {
-        Json properties = {{"kind", {{"const", kind.name}}}};
+        Json properties = {{"kind", said({{"const", kind.name}}, kind.doc)}};
         std::vector<std::string> required = {"kind"};
         add_fields(properties, required, kind.fields);
-        any.push_back(object(properties, required));
-        any.back()["description"] = kind.doc;
+        any.push_back(kind_object(kind, properties, required));
     }
     return {{"anyOf", any}};
 }
@@ -189,42 +249,70 @@ Json argument_definition() {
     any.push_back(words(names));
     any.push_back({{"type", "number"}});
     any.push_back(four);
-    any.push_back(object({{"uv", reference("uv")}}, {"uv"}));
-    any.push_back(object({{"texture", reference("name")}}, {"texture"}));
+    any.push_back(object({{"uv", referred("uv", "a coordinate with its derivatives (SgUv)")}}, {"uv"}));
+    any.push_back(object({{"texture", referred("name", "a texture and its sampler")}}, {"texture"}));
     for (const char* name : {"parameter_reference", "node_reference", "node"}) any.push_back(reference(name));
     return {{"anyOf", any}};
 }
 
 Json uv_definition() {
-    Json pair = {{"anyOf", {number(-10000, 10000), numbers(2, number(-10000, 10000))}}};
-    Json speed = {{"anyOf", {number(-1000, 1000), numbers(2, number(-1000, 1000))}}};
-    Json set = {{"type", "integer"}, {"minimum", 0}, {"maximum", 7}};
-    return {{"anyOf",
-             {set, object({{"set", set},
-                           {"scale", pair},
-                           {"rotation", number(-3600, 3600)},
-                           {"offset", pair},
-                           {"speed", speed}})}}};
+    Json properties = Json::object();
+    for (const layers::CoordinateKey& key : layers::coordinate_keys()) {
+        Json one = key.whole ? whole(key.minimum, key.maximum) : number(key.minimum, key.maximum);
+        Json value = key.count == 1 ? one : Json{{"anyOf", Json::array({one, numbers(key.count, one)})}};
+        std::string unit = key.unit.empty() ? "" : fmt::format(" ({})", key.unit);
+        properties[std::string(key.name)] = said(value, std::string(key.doc) + unit, key.fallback);
+    }
+    const layers::CoordinateKey& set = layers::coordinate_keys()[layers::kSet];
+    return {{"anyOf", Json::array({whole(set.minimum, set.maximum), object(properties)})}};
+}
+
+Json sampler_definition() {
+    constexpr std::string_view kWrap[] = {"repeat", "clamp", "mirror"}, kFilter[] = {"nearest", "linear"};
+    return object({{"wrap", said(words(kWrap), "beyond the image, along s and t", "repeat")},
+                   {"wrap_s", said(words(kWrap), "along s; left out: as wrap", "repeat")},
+                   {"wrap_t", said(words(kWrap), "along t; left out: as wrap", "repeat")},
+                   {"filter", said(words(kFilter), "between texels", "linear")},
+                   {"mip_filter", said(words(kFilter), "between levels of detail", "linear")},
+                   {"anisotropy", said(whole(1, 16), "how many texels along a slanted footprint", 1)}});
+}
+
+// Beside each encoding: no setting that means nothing for it, as many letters of a swizzle as it has
+// channels.
+Json encoding_rule(ir::TextureEncoding encoding) {
+    Json then = Json::object(), none = Json::array();
+    for (std::string_view setting : {"green", "zero", "range", "swizzle"}) {
+        if (!material::setting_counts(setting, encoding)) none.push_back({{"required", {setting}}});
+    }
+    if (!none.empty()) then["not"] = {{"anyOf", none}};
+    if (encoding != ir::TextureEncoding::color) then["properties"]["color_space"] = {{"const", "linear"}};
+    std::size_t count = material::channel_count(encoding);
+    if (count > 0 && encoding != ir::TextureEncoding::mask)
+        then["properties"]["swizzle"] = {{"pattern", fmt::format("^(?!.*(.).*\\1)[rgba]{{{}}}$", count)}};
+    Json when = {{"properties", {{"encoding", {{"const", ir::encoding_name(encoding)}}}}},
+                 {"required", {"encoding"}}};
+    return {{"if", when}, {"then", then}};
 }
 
 Json texture_definition() {
-    constexpr std::string_view kGreen[] = {"up", "down"}, kSpace[] = {"linear", "srgb"},
-                               kWrap[] = {"repeat", "clamp", "mirror"}, kFilter[] = {"nearest", "linear"};
-    Json sampler = object({{"wrap", words(kWrap)},
-                           {"wrap_s", words(kWrap)},
-                           {"wrap_t", words(kWrap)},
-                           {"filter", words(kFilter)},
-                           {"mip_filter", words(kFilter)},
-                           {"anisotropy", {{"type", "integer"}, {"minimum", 1}, {"maximum", 16}}}});
-    return object({{"file", {{"type", "string"}, {"minLength", 1}}},
-                   {"encoding", words(ir::encoding_names())},
-                   {"swizzle", {{"type", "string"}, {"pattern", "^[rgba]{1,4}$"}}},
-                   {"green", words(kGreen)},
-                   {"zero", {{"enum", {127, 127.5, 128}}}},
-                   {"range", number(1e-6, 128)},
-                   {"color_space", words(kSpace)},
-                   {"sampler", sampler}},
-                  {"file", "encoding"});
+    constexpr std::string_view kGreen[] = {"up", "down"}, kSpace[] = {"linear", "srgb"};
+    Json path = {{"type", "string"}, {"minLength", 1}};
+    Json swizzle = {{"type", "string"}, {"pattern", "^[rgba]{1,4}$"}};
+    Json out =
+        object({{"file", said(path, "the image: a path below the material's folder or an -I root")},
+                {"encoding", said(words(ir::encoding_names()), "what the channels hold")},
+                {"swizzle",
+                 said(swizzle, "which stored channels stand for x, y, z or r, g, b, a; left out: in order")},
+                {"green", said(words(kGreen), "where positive green points on the picture", "up")},
+                {"zero", said({{"enum", {127, 127.5, 128}}}, "the 8-bit code that means 0", 127.5)},
+                {"range", said(number(1e-6, 128), "of a derivative map: the slope that 1 means", 1)},
+                {"color_space",
+                 said(words(kSpace), "of the stored numbers; left out: srgb for a color, else linear")},
+                {"sampler", said(sampler_definition(), "how it is filtered")}},
+               {"file", "encoding"});
+    for (std::size_t i = 0; i < ir::encoding_names().size(); ++i)
+        out["allOf"].push_back(encoding_rule(static_cast<ir::TextureEncoding>(i)));
+    return out;
 }
 
 Json parameter_value() {
@@ -236,10 +324,15 @@ Json parameter_value() {
 }
 
 Json parameter_of(std::span<const std::string_view> types, Json value, bool ranged) {
-    Json properties = {{"type", words(types)}, {"default", std::move(value)}};
-    if (ranged) properties["range"] = numbers(2, {{"type", "number"}});
-    properties["label"] = {{"type", "string"}};
-    properties["unit"] = {{"type", "string"}};
+    Json properties = {
+        {"type", said(words(types), "what it is")},
+        {"default", said(std::move(value), "its value where the engine sets none")},
+    };
+    if (ranged)
+        properties["range"] =
+            said(numbers(2, {{"type", "number"}}), "the bounds of each component; left out: none");
+    properties["label"] = said({{"type", "string"}}, "its name in an editor", "");
+    properties["unit"] = said({{"type", "string"}}, "of its numbers, for an editor", "");
     return object(properties, {"type", "default"});
 }
 
@@ -261,38 +354,95 @@ Json surface_definition() {
     constexpr std::string_view kSides[] = {"off", "mirror", "flip"};
     Json any = Json::array();
     for (const ir::LightingModel& model : ir::all_lighting_models()) {
-        Json properties = {{"lighting", {{"const", model.name}, {"description", model.doc}}}};
+        Json properties = {{"lighting", said({{"const", model.name}}, model.doc)}};
+        if (any.empty()) properties["lighting"]["default"] = model.name;
         std::vector<std::string> required;
         if (!any.empty()) required.emplace_back("lighting");
         for (const Field& field : layers::surface_fields()) {
             if (ir::has_input(model, layers::surface_output(field)))
                 properties[std::string(field.name)] = described(field);
         }
-        properties["alpha_test"] = number(0, 1);
-        properties["two_sided"] = words(kSides);
+        properties["alpha_test"] =
+            said(number(0, 1), "below this opacity nothing is drawn; left out: no test");
+        properties["two_sided"] =
+            said(words(kSides),
+                 "off; mirror: the base normal turns to the visible side; flip: the whole bumped normal does",
+                 "off");
         any.push_back(object(properties, required));
     }
     return {{"anyOf", any}};
 }
 
 Json budget_definition() {
+    constexpr std::string_view kDocs[] = {"SPIR-V instructions that do work, as shipped", "texture reads",
+                                          "numbers that the vertex stage hands over"};
+    static_assert(std::size(kDocs) == material::kCostNames.size());
     Json properties = Json::object();
-    for (std::string_view name : material::kCostNames) {
-        properties[std::string(name)] = {{"type", "integer"}, {"minimum", 0}, {"maximum", 1e9}};
-    }
+    for (std::size_t i = 0; i < std::size(kDocs); ++i)
+        properties[std::string(material::kCostNames[i])] =
+            said(whole(0, 1e9), fmt::format("at most so many {}; left out: no bound", kDocs[i]));
     return object(properties);
+}
+
+// An entry of `bump`; only the first may have a parallax.
+Json stage(bool first) {
+    Json properties = {{"id", own_id("entry")}};
+    if (first)
+        properties["parallax"] =
+            referred("parallax", "a texture that displaces the surface before the layers see it");
+    properties["layers"] = layer_list("their surface gradients are summed and resolved");
+    return object(properties, {"layers"});
 }
 
 // An object whose keys are names.
 Json named(Json item) {
-    return {
-        {"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", std::move(item)}};
+    return {{"type", "object"},
+            {"propertyNames", reference("own_name")},
+            {"additionalProperties", std::move(item)}};
+}
+
+// What a material and one that extends another both say of themselves.
+Json header() {
+    return {{"$schema", said({{"type", "string"}}, "for editors; ignored")},
+            {"version", said({{"const", material::kVersion}}, "of the format")},
+            {"name", referred("name", "for people and the manifest; left out: the file's name")},
+            {"description", said({{"type", "string"}}, "for people")}};
+}
+
+Json material_schema() {
+    Json properties = header();
+    properties["parameters"] = said(named(parameter_definition()), "what the engine may set, by name");
+    properties["textures"] = said(named(texture_definition()), "images, by name");
+    properties["nodes"] =
+        said(named(reference("named_node")), "values that layers and the surface refer to as \"@name\"");
+    properties["bump"] =
+        said({{"type", "array"},
+              {"items", Json::array({stage(true)})},
+              {"additionalItems", stage(false)},
+              {"maxItems", material::kMaxStages}},
+             "bump layers: each entry ends in a resolve, and the next starts from its normal");
+    properties["surface"] = said(surface_definition(), "colour and lighting");
+    properties["budget"] = said(budget_definition(), "what the forward fragment shader may cost at most");
+    return object(properties, {"version"});
+}
+
+Json instance_schema() {
+    Json properties = header();
+    properties["extends"] = said({{"type", "string"}, {"minLength", 1}}, "the path of another material");
+    properties["parameters"] = said(named(parameter_value()), "other defaults for its parameters");
+    return object(properties, {"version", "extends"});
 }
 
 }  // namespace
 
 std::string schema_text() {
-    Json definitions = {{"name", {{"type", "string"}, {"minLength", 1}, {"maxLength", 64}}},
+    // ECMA 262; letters are counted as code points here and as bytes by the compiler.
+    Json name = {
+        {"type", "string"}, {"minLength", 1}, {"maxLength", 64}, {"pattern", "^[^\\u0000-\\u001f\\u007f]*$"}};
+    Json own_name = name;
+    own_name["pattern"] = "^[^$@\\u0000-\\u001f\\u007f][^\\u0000-\\u001f\\u007f]*$";
+    Json definitions = {{"name", name},
+                        {"own_name", own_name},
                         {"parameter_reference", {{"type", "string"}, {"pattern", "^\\$.+"}}},
                         {"node_reference", {{"type", "string"}, {"pattern", "^@.+"}}},
                         {"uv", uv_definition()},
@@ -301,32 +451,10 @@ std::string schema_text() {
                         {"argument", argument_definition()},
                         {"parallax", parallax_definition()},
                         {"layer", layer_definition()}};
-    Json stage = object({{"id", reference("name")},
-                         {"parallax", reference("parallax")},
-                         {"layers", {{"type", "array"}, {"items", reference("layer")}}}},
-                        {"layers"});
     Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "surfgrad material"}};
-    Json whole = object({{"$schema", {{"type", "string"}}},
-                         {"version", {{"const", material::kVersion}}},
-                         {"name", reference("name")},
-                         {"description", {{"type", "string"}}},
-                         {"parameters", named(parameter_definition())},
-                         {"textures", named(texture_definition())},
-                         {"nodes", named(reference("named_node"))},
-                         {"bump", {{"type", "array"}, {"items", stage}, {"maxItems", 8}}},
-                         {"surface", surface_definition()},
-                         {"budget", budget_definition()}},
-                        {"version"});
-    Json instance = object({{"$schema", {{"type", "string"}}},
-                            {"version", {{"const", material::kVersion}}},
-                            {"name", reference("name")},
-                            {"description", {{"type", "string"}}},
-                            {"extends", {{"type", "string"}, {"minLength", 1}}},
-                            {"parameters", named(parameter_value())}},
-                           {"version", "extends"});
     out["if"] = {{"type", "object"}, {"required", {"extends"}}};
-    out["then"] = instance;
-    out["else"] = whole;
+    out["then"] = instance_schema();
+    out["else"] = material_schema();
     out["definitions"] = definitions;
     return out.dump(2) + "\n";
 }

@@ -13,27 +13,12 @@ enum FieldIndex : std::size_t { kFile, kFunction, kReturns, kArguments, kUv, kBa
 enum ReturnsChoice : std::uint32_t { kSurfaceGradient, kVolumeGradient, kDerivative };
 enum BasisChoice : std::uint32_t { kBasisUv, kBasisVertex };
 
-std::optional<FieldFault> check(FieldValues values) {
-    std::uint32_t returns = values[kReturns].index;
-    if (returns != kDerivative) {
-        for (std::size_t field : {kUv, kBasis}) {
-            if (values[field].given)
-                return FieldFault{field,
-                                  "a gradient needs no basis, expected this beside \"returns\": "
-                                  "\"derivative\" only"};
-        }
-    }
-    if (returns != kVolumeGradient && values[kSpace].given) {
-        return FieldFault{kSpace,
-                          "only a volume gradient has a space, expected this beside \"returns\": "
-                          "\"volume_gradient\" only"};
-    }
-    if (values[kBasis].index == kBasisVertex && (values[kUv].uv.set != 0 || values[kUv].uv.rotation != 0)) {
-        return FieldFault{kBasis,
-                          "the vertex tangents belong to uv 0 as it is, expected \"basis\": \"uv\" on "
-                          "another uv set or beside a rotation"};
-    }
-    return std::nullopt;
+Rule of_a_derivative(std::string_view field) {
+    return {.field = field,
+            .word = "",
+            .other = "returns",
+            .words = {"derivative"},
+            .message = "a gradient needs no basis, expected this beside \"returns\": \"derivative\" only"};
 }
 
 Type result(FieldValues values) {
@@ -116,7 +101,15 @@ const LayerKind& custom() {
                     .doc = "a layer or group of other kinds that gives the same bump: the double-precision "
                            "reference; without one there is none"},
                    follow_parallax()},
-        .check = check,
+        .rules = {of_a_derivative("uv"),
+                  of_a_derivative("basis"),
+                  {.field = "space",
+                   .word = "",
+                   .other = "returns",
+                   .words = {"volume_gradient"},
+                   .message = "only a volume gradient has a space, expected this beside \"returns\": "
+                              "\"volume_gradient\" only"},
+                  vertex_basis()},
         .result = result,
         .lower = lower,
     };

@@ -160,40 +160,47 @@ ValueId lower_color(LowerContext& context, FieldValues values) {
 }
 
 // A matrix says where the projector lies: beside it nothing else may.
-template <std::size_t first>
-std::optional<FieldFault> check_placement(FieldValues values) {
-    if (!values[first + kProjector].given) return std::nullopt;
-    for (std::size_t field : {kPosition, kRotation, kSize}) {
-        if (values[first + field].given)
-            return FieldFault{first + field,
-                              "the matrix says where the projector lies, expected this without 'projector'"};
-    }
-    return std::nullopt;
+std::vector<Rule> placement_rules() {
+    std::vector<Rule> rules;
+    for (std::string_view field : {"position", "rotation", "size"})
+        rules.push_back(
+            {.asks = Rule::Asks::absence,
+             .field = field,
+             .word = "",
+             .other = "projector",
+             .words = {},
+             .message = "the matrix says where the projector lies, expected this without 'projector'"});
+    return rules;
+}
+
+std::vector<Rule> reach_rules() {
+    std::vector<Rule> rules = placement_rules();
+    rules.push_back({.field = "half_length",
+                     .word = "",
+                     .other = "shape",
+                     .words = {"capsule"},
+                     .message = "only a capsule has a length, expected \"shape\": \"capsule\" beside "
+                                "'half_length'"});
+    rules.push_back({.asks = Rule::Asks::absence,
+                     .field = "angle_fade",
+                     .word = "",
+                     .other = "projector",
+                     .words = {},
+                     .message = "a matrix may stretch angles, expected 'angle_fade' beside 'rotation'"});
+    rules.push_back({.field = "angle_fade",
+                     .word = "",
+                     .other = "shape",
+                     .words = {"box", "cone", "capsule", "wedge"},
+                     .message = "a sphere throws its image all ways, expected 'angle_fade' beside another "
+                                "shape"});
+    return rules;
 }
 
 template <std::size_t first>
 std::optional<FieldFault> check(FieldValues values) {
-    if (auto fault = check_placement<first>(values)) return fault;
-    std::uint32_t shape = values[first + kShape].index;
     const FieldValue& angles = values[first + kAngleFade];
-    if (values[first + kHalfLength].given && shape != kCapsule) {
-        return FieldFault{
-            first + kHalfLength,
-            "only a capsule has a length, expected \"shape\": \"capsule\" beside 'half_length'"};
-    }
-    if (angles.given && values[first + kProjector].given) {
-        return FieldFault{first + kAngleFade,
-                          "a matrix may stretch angles, expected 'angle_fade' beside 'rotation'"};
-    }
-    if (angles.given && shape == kSphere) {
-        return FieldFault{first + kAngleFade,
-                          "a sphere throws its image all ways, expected 'angle_fade' beside another shape"};
-    }
-    if (angles.given && angles.number[0] > angles.number[1]) {
-        return FieldFault{first + kAngleFade,
-                          "'angle_fade' runs backwards, expected the smaller angle first"};
-    }
-    return std::nullopt;
+    if (!angles.given || angles.number[0] <= angles.number[1]) return std::nullopt;
+    return FieldFault{first + kAngleFade, "'angle_fade' runs backwards, expected the smaller angle first"};
 }
 
 Field image(std::string_view doc, std::vector<ir::TextureEncoding> encodings) {
@@ -290,6 +297,7 @@ NodeKind decal_mask() {
             .doc = "how much a decal of this projector covers, 0 to 1",
             .result = Type::Scalar,
             .fields = joined({placement_fields(), reach_fields(), {follow_parallax()}}),
+            .rules = reach_rules(),
             .check = check<0>,
             .lower = lower_mask};
 }
@@ -301,7 +309,7 @@ NodeKind decal_color() {
         .result = Type::Color,
         .fields = joined(
             {{image("the picture", {ir::TextureEncoding::color})}, placement_fields(), {follow_parallax()}}),
-        .check = check_placement<kBehindImage>,
+        .rules = placement_rules(),
         .lower = lower_color};
 }
 
@@ -317,6 +325,7 @@ const LayerKind& decal() {
                           placement_fields(),
                           reach_fields(),
                           {follow_parallax()}}),
+        .rules = reach_rules(),
         .check = check<kBehindImage>,
         .lower_covered = lower_layer,
     };

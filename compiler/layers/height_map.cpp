@@ -9,13 +9,6 @@ enum FieldIndex : std::size_t { kTexture, kUv, kTiling, kMethod, kScale };
 enum MethodChoice : std::uint32_t { kForward, kHq, kScreen };
 enum ScaleChoice : std::uint32_t { kScaleDependent, kScaleSlope };
 
-std::optional<FieldFault> check(FieldValues values) {
-    if (values[kMethod].index != kScreen || values[kScale].index != kScaleSlope) return std::nullopt;
-    return FieldFault{kScale,
-                      "'screen' measures heights against positions, expected \"scale\": \"displacement\" "
-                      "beside it"};
-}
-
 ir::ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     std::uint32_t texture = values[kTexture].index;
@@ -66,7 +59,12 @@ const LayerKind& height_map() {
               .doc = "displacement: strength is the world length of the height 1, and tiling and object size "
                      "count (Eq 7); slope: strength is the height 1 in texels, whatever the tiling"},
              follow_parallax()},
-        .check = check,
+        .rules = {{.field = "scale",
+                   .word = "slope",
+                   .other = "method",
+                   .words = {"forward", "hq"},
+                   .message = "'screen' measures heights against positions, expected \"scale\": "
+                              "\"displacement\" beside it"}},
         .lower = lower,
     };
     return kRow;

@@ -60,7 +60,7 @@ struct Coordinate {
     std::array<double, 2> scale{1, 1};
     double rotation = 0;  // degrees, turns +s towards +t
     std::array<double, 2> offset{0, 0};
-    std::array<double, 2> speed{0, 0};  // repeats per second
+    std::array<double, 2> speed{0, 0};  // repeats per second, before a tiling multiplies
 
     [[nodiscard]] bool is_plain() const { return *this == Coordinate{.set = set}; }
     bool operator==(const Coordinate&) const = default;
@@ -104,7 +104,31 @@ struct FieldValue {
 };
 using FieldValues = std::span<const FieldValue>;
 
-// A fault that only shows when fields are seen together.
+// What each key of an object that stands for a coordinate may be, in the order of Coordinate's members.
+struct CoordinateKey {
+    std::string_view name;
+    std::size_t count = 1;  // of numbers; of two, one number may stand for both
+    bool whole = false;
+    double minimum = 0, maximum = 0, fallback = 0;
+    std::string_view unit;
+    std::string_view doc;
+};
+enum CoordinateKeyIndex : std::size_t { kSet, kUvScale, kUvRotation, kUvOffset, kUvSpeed };
+std::span<const CoordinateKey> coordinate_keys();
+
+// What a field that is given asks of another one. The checker and the JSON Schema both follow it.
+struct Rule {
+    enum class Asks { choice, absence, plain_uv } asks = Asks::choice;
+    std::string_view field;               // where it is given
+    std::string_view word;                // where it is this choice, given or by default; "": any
+    std::string_view other;               // what it asks something of
+    std::vector<std::string_view> words;  // choice: it must be one of these, given or by default
+    std::string_view message;
+};
+// Vertex tangents belong to uv 0 as it is.
+Rule vertex_basis();
+
+// A fault that only shows when fields are seen together, beyond what rules say.
 struct FieldFault {
     std::size_t field = 0;
     std::string message;
@@ -120,8 +144,8 @@ struct LayerKind {
     std::string_view name;
     std::string_view doc;
     std::vector<Field> fields;
-    std::optional<FieldFault> (*check)(FieldValues values) =
-        nullptr;  // at most one fault; null: none is possible
+    std::vector<Rule> rules;
+    std::optional<FieldFault> (*check)(FieldValues values) = nullptr;  // what no rule can say; may be null
     // Of kinds that call a user's function: what it must give.
     ir::Type (*result)(FieldValues values) = nullptr;
     // The layer's surface gradient at strength 1, unmasked. Cannot fail.
@@ -151,6 +175,7 @@ struct NodeKind {
     std::string_view doc;
     ir::Type result{};  // Scalar or Color
     std::vector<Field> fields;
+    std::vector<Rule> rules{};
     std::optional<FieldFault> (*check)(FieldValues values) = nullptr;
     ir::ValueId (*lower)(LowerContext& context, FieldValues values) = nullptr;
 };
@@ -160,6 +185,7 @@ struct ParallaxKind {
     std::string_view name;
     std::string_view doc;
     std::vector<Field> fields;
+    std::vector<Rule> rules{};
     std::optional<FieldFault> (*check)(FieldValues values) = nullptr;
     void (*lower)(LowerContext& context, FieldValues values) = nullptr;
 };

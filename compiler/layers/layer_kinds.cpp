@@ -53,6 +53,47 @@ std::span<const Field> common_fields() {
     return kFields;
 }
 
+std::span<const CoordinateKey> coordinate_keys() {
+    static const CoordinateKey kKeys[] = {
+        {.name = "set", .whole = true, .maximum = 7, .doc = "the uv set of the mesh"},
+        {.name = "scale",
+         .count = 2,
+         .minimum = -10000,
+         .maximum = 10000,
+         .fallback = 1,
+         .doc = "factor on the coordinate, before it turns; negative values mirror"},
+        {.name = "rotation",
+         .minimum = -3600,
+         .maximum = 3600,
+         .unit = "degrees",
+         .doc = "turns +s towards +t"},
+        {.name = "offset",
+         .count = 2,
+         .minimum = -10000,
+         .maximum = 10000,
+         .unit = "repeats before `tiling` multiplies",
+         .doc = "is added to the coordinate"},
+        {.name = "speed",
+         .count = 2,
+         .minimum = -1000,
+         .maximum = 1000,
+         .unit = "repeats per second before `tiling` multiplies",
+         .doc = "is added to the coordinate, times the seconds"},
+    };
+    return kKeys;
+}
+
+Rule vertex_basis() {
+    return {.asks = Rule::Asks::plain_uv,
+            .field = "basis",
+            .word = "vertex",
+            .other = "uv",
+            .words = {},
+            .message =
+                "the vertex tangents belong to uv 0 as it is, expected \"basis\": \"uv\" on another uv "
+                "set or beside a rotation"};
+}
+
 constexpr std::string_view kFollowParallax = "follow_parallax";
 
 Field follow_parallax() {

@@ -11,15 +11,6 @@ using ir::ValueId;
 enum FieldIndex : std::size_t { kFunction, kSpace, kFrequency, kOctaves, kPower };
 enum FunctionChoice : std::uint32_t { kPerlin, kFractalSum, kTurbulence };
 
-std::optional<FieldFault> check(FieldValues values) {
-    if (values[kFunction].index == kPerlin && values[kOctaves].given) {
-        return FieldFault{
-            kOctaves,
-            "'perlin' has one octave, expected 'octaves' beside 'fractal_sum' or 'turbulence' only"};
-    }
-    return std::nullopt;
-}
-
 ValueId lower(LowerContext& context, FieldValues values) {
     ir::Builder& builder = context.builder();
     auto space = static_cast<Space>(values[kSpace].index);
@@ -75,7 +66,12 @@ const LayerKind& noise() {
               .maximum = 16,
               .doc = "the value v >= 0 becomes v^power: above 1 it leaves dents where the noise is low"},
              follow_parallax()},
-        .check = check,
+        .rules = {{.field = "octaves",
+                   .word = "",
+                   .other = "function",
+                   .words = {"fractal_sum", "turbulence"},
+                   .message = "'perlin' has one octave, expected 'octaves' beside 'fractal_sum' or "
+                              "'turbulence' only"}},
         .lower = lower,
     };
     return kRow;

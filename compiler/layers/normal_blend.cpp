@@ -34,23 +34,12 @@ bool aligned(FieldValues values) {
     return true;
 }
 
-std::optional<FieldFault> check(FieldValues values) {
-    if (values[kBasis].index == kBasisVertex && values[kUv].uv.set != 0) {
-        return FieldFault{kBasis,
-                          "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
-    }
-    if (values[kBasis].index == kBasisVertex && values[kUv].uv.rotation != 0) {
-        return FieldFault{
-            kBasis,
-            "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
-    }
-    for (std::size_t weight : {kWeight, kSecondWeight}) {
-        if (values[weight].given && values[kMethod].index != kWeighted) {
-            return FieldFault{weight,
-                              "only 'weighted' has weights, expected \"method\": \"weighted\" beside them"};
-        }
-    }
-    return std::nullopt;
+Rule weights(std::string_view field) {
+    return {.field = field,
+            .word = "",
+            .other = "method",
+            .words = {"weighted"},
+            .message = "only 'weighted' has weights, expected \"method\": \"weighted\" beside them"};
 }
 
 // The derivatives that the two maps add, each along its own coordinate.
@@ -152,7 +141,7 @@ const LayerKind& normal_blend() {
                    tiling("second_tiling"),
                    weight("second_weight"),
                    follow_parallax()},
-        .check = check,
+        .rules = {vertex_basis(), weights("weight"), weights("second_weight")},
         .lower = lower,
     };
     return kRow;

@@ -9,23 +9,6 @@ enum FieldIndex : std::size_t { kTexture, kUv, kBasis, kTiling, kScale };
 enum BasisChoice : std::uint32_t { kBasisUv, kBasisVertex };
 enum ScaleChoice : std::uint32_t { kScaleSlope, kScaleDependent };
 
-std::optional<FieldFault> check(FieldValues values) {
-    if (values[kBasis].index == kBasisVertex && values[kUv].uv.set != 0) {
-        return FieldFault{kBasis,
-                          "the vertex tangents belong to uv 0, expected \"basis\": \"uv\" on another uv set"};
-    }
-    if (values[kBasis].index == kBasisVertex && values[kUv].uv.rotation != 0) {
-        return FieldFault{
-            kBasis,
-            "the vertex tangents do not turn with the uv, expected \"basis\": \"uv\" beside a rotation"};
-    }
-    if (values[kScale].index == kScaleDependent && values[kBasis].given) {
-        return FieldFault{kBasis,
-                          "a scale-dependent map needs no basis, expected \"scale\": \"slope\" beside it"};
-    }
-    return std::nullopt;
-}
-
 ir::ValueId lower(LowerContext& context, FieldValues values) {
     bool scale_dependent = values[kScale].index == kScaleDependent;
     bool from_vertex = values[kBasis].index == kBasisVertex && !scale_dependent;
@@ -35,6 +18,15 @@ ir::ValueId lower(LowerContext& context, FieldValues values) {
     if (!scale_dependent) return builder.add(ir::Op::surfgrad_from_tbn, {deriv, context.basis_of(place)});
     return builder.add_indexed(ir::Op::surfgrad_from_height, values[kTexture].index,
                                {context.frame(), place.uv, deriv});
+}
+
+std::vector<Rule> rules() {
+    return {vertex_basis(),
+            {.field = "basis",
+             .word = "",
+             .other = "scale",
+             .words = {"slope"},
+             .message = "a scale-dependent map needs no basis, expected \"scale\": \"slope\" beside it"}};
 }
 
 std::vector<Field> fields(std::vector<ir::TextureEncoding> encodings, std::string_view texture_doc) {
@@ -77,7 +69,7 @@ const LayerKind& normal_map() {
         .name = "normal_map",
         .doc = "a tangent-space normal map on a uv set",
         .fields = fields({tangent_normal, tangent_normal_xy}, "the map"),
-        .check = check,
+        .rules = rules(),
         .lower = lower,
     };
     return kRow;
@@ -88,7 +80,7 @@ const LayerKind& derivative_map() {
         .name = "derivative_map",
         .doc = "a map of stored derivatives on a uv set",
         .fields = fields({ir::TextureEncoding::derivative}, "the map; its range is the slope that 1 means"),
-        .check = check,
+        .rules = rules(),
         .lower = lower,
     };
     return kRow;

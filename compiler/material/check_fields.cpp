@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ice.hpp"
 #include "material/checker.hpp"
 
 namespace sg::material {
@@ -35,6 +36,35 @@ std::span<const ParameterType> types_for(FieldKind kind) {
 }
 
 }  // namespace
+
+std::optional<layers::FieldFault> broken_rule(std::span<const Field> fields,
+                                              std::span<const layers::Rule> rules,
+                                              layers::FieldValues found) {
+    auto index_of = [&](std::string_view name) {
+        auto row = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+        SG_ASSERT(row != fields.end());
+        return static_cast<std::size_t>(row - fields.begin());
+    };
+    auto word_of = [&](std::size_t i) { return fields[i].choices[found[i].index]; };
+    for (const layers::Rule& rule : rules) {
+        const std::size_t field = index_of(rule.field), other = index_of(rule.other);
+        if (rule.word.empty() ? !found[field].given : word_of(field) != rule.word) continue;
+        bool holds = true;
+        switch (rule.asks) {
+            case layers::Rule::Asks::choice:
+                holds = std::find(rule.words.begin(), rule.words.end(), word_of(other)) != rule.words.end();
+                break;
+            case layers::Rule::Asks::absence:
+                holds = !found[other].given;
+                break;
+            case layers::Rule::Asks::plain_uv:
+                holds = found[other].uv.set == 0 && found[other].uv.rotation == 0;
+                break;
+        }
+        if (!holds) return layers::FieldFault{field, std::string(rule.message)};
+    }
+    return std::nullopt;
+}
 
 std::optional<std::size_t> Checker::find_texture(const std::string& name, const At& at) {
     if (auto found = textures_by_name.find(name); found != textures_by_name.end()) return found->second;

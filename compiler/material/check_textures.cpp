@@ -4,6 +4,7 @@
 #include <set>
 
 #include "asset/image.hpp"
+#include "base/ice.hpp"
 #include "material/checker.hpp"
 
 namespace sg::material {
@@ -16,12 +17,17 @@ namespace {
 bool holds_directions(ir::TextureEncoding encoding) {
     return encoding == tangent_normal || encoding == tangent_normal_xy || encoding == derivative;
 }
-bool holds_signed_numbers(ir::TextureEncoding encoding) {
+
+}  // namespace
+
+bool setting_counts(std::string_view setting, ir::TextureEncoding encoding) {
+    if (setting == "green") return holds_directions(encoding);
+    if (setting == "range") return encoding == derivative;
+    if (setting == "swizzle") return channel_count(encoding) > 0;
+    SG_ASSERT(setting == "zero");
     return holds_directions(encoding) || encoding == object_normal || encoding == world_normal ||
            encoding == parallax_map;
 }
-
-}  // namespace
 
 // Textures that nothing names get no binding.
 std::vector<bool> Checker::used_textures() const {
@@ -61,7 +67,6 @@ std::optional<std::string> Checker::file_below_roots(const std::string& file, co
     return found ? std::optional(std::move(found->bytes)) : std::nullopt;
 }
 
-// How many channels an encoding has; 0: it cannot be swizzled, for what reads it gathers texels of red.
 std::size_t channel_count(ir::TextureEncoding encoding) {
     switch (encoding) {
         case tangent_normal:
@@ -111,14 +116,14 @@ void Checker::swizzle(const TextureDecl& decl, layers::TextureFacts& facts) {
 // Settings that mean nothing for the encoding, and colour spaces that would bend data.
 void Checker::texture_settings(const TextureDecl& decl) {
     std::string_view encoding = ir::encoding_name(decl.encoding);
-    auto unused = [&](const At& at, std::string_view key, bool meaningful) {
-        if (at.pointer.empty() || meaningful) return;
+    auto unused = [&](const At& at, std::string_view key) {
+        if (at.pointer.empty() || setting_counts(key, decl.encoding)) return;
         error(Code::unused_setting, at,
               fmt::format("'{}' means nothing for the encoding '{}'", key, encoding));
     };
-    unused(decl.green_up.at, "green", holds_directions(decl.encoding));
-    unused(decl.zero.at, "zero", holds_signed_numbers(decl.encoding));
-    unused(decl.range.at, "range", decl.encoding == derivative);
+    unused(decl.green_up.at, "green");
+    unused(decl.zero.at, "zero");
+    unused(decl.range.at, "range");
     if (decl.color_space && decl.color_space->value == ColorSpace::srgb && decl.encoding != color) {
         error(Code::srgb_data, decl.color_space->at,
               fmt::format("texture '{}' of encoding '{}' is declared 'srgb', expected 'linear'",

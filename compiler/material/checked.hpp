@@ -104,6 +104,11 @@ ir::Type ir_type(ParameterType type);  // of one that is no texture; true is 1
 // How many numbers it is.
 std::size_t number_count(ParameterType type);
 
+// Whether "green", "zero", "range" or "swizzle" means something for a texture of this encoding.
+bool setting_counts(std::string_view setting, ir::TextureEncoding encoding);
+// How many channels an encoding has; 0: it cannot be swizzled, for what reads it gathers texels of red.
+std::size_t channel_count(ir::TextureEncoding encoding);
+
 // Layers of the user's own GLSL: called, or replaced by the layers that they are equivalent to.
 enum class Custom { called, replaced };
 // Whether each of them has an equivalent.

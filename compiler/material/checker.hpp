@@ -10,6 +10,10 @@ namespace sg::material {
 
 inline constexpr Range kAnyRange{-3.0e38, 3.0e38};
 
+// The first rule that does not hold, as a fault of its field.
+std::optional<layers::FieldFault> broken_rule(std::span<const layers::Field> fields,
+                                              std::span<const layers::Rule> rules, layers::FieldValues found);
+
 struct Checker {
     const Material& in;
     Files& files;
@@ -78,12 +82,12 @@ struct Checker {
     void color_space(const TextureDecl& decl, const SourcePtr& source, std::string_view bytes);
 };
 
-// A fault of fields that are each valid alone.
+// A fault of fields that are each valid alone; at most one is told.
 template <class Kind>
 void Checker::together(const Kind& kind, const At& at, std::span<const FieldEntry> entries,
                        layers::FieldValues found) {
-    if (!kind.check) return;
-    auto fault = kind.check(found);
+    std::optional<layers::FieldFault> fault = broken_rule(kind.fields, kind.rules, found);
+    if (!fault && kind.check) fault = kind.check(found);
     if (!fault) return;
     At place = at;
     for (const FieldEntry& entry : entries) {

@@ -50,16 +50,22 @@ std::optional<layers::Coordinate> Reader::coordinate(ObjectReader& reader, std::
         found.set = *set;
         return found;
     }
-    ObjectReader inner = object(*value, reader.at(key, *value).pointer, "a coordinate",
-                                {"set", "scale", "rotation", "offset", "speed"});
-    found.set = inner.integer("set", {0, 7}).value_or(0);
-    found.rotation = inner.number("rotation", {-3600, 3600}).value_or(0);
-    auto pair = [&](std::string_view name, std::array<double, 2>& slot, Range range) {
-        if (auto numbers = inner.numbers(name, 2, range, true, "")) slot = {(*numbers)[0], (*numbers)[1]};
+    std::vector<std::string_view> keys;
+    for (const layers::CoordinateKey& row : layers::coordinate_keys()) keys.push_back(row.name);
+    ObjectReader inner = object(*value, reader.at(key, *value).pointer, "a coordinate", keys);
+    auto range = [](const layers::CoordinateKey& row) { return Range{row.minimum, row.maximum}; };
+    auto pair = [&](layers::CoordinateKeyIndex index, std::array<double, 2>& slot) {
+        const layers::CoordinateKey& row = layers::coordinate_keys()[index];
+        if (auto numbers = inner.numbers(row.name, 2, range(row), true, ""))
+            slot = {(*numbers)[0], (*numbers)[1]};
     };
-    pair("scale", found.scale, {-10000, 10000});
-    pair("offset", found.offset, {-10000, 10000});
-    pair("speed", found.speed, {-1000, 1000});
+    const layers::CoordinateKey &set = layers::coordinate_keys()[layers::kSet],
+                                &rotation = layers::coordinate_keys()[layers::kUvRotation];
+    found.set = inner.integer(set.name, range(set)).value_or(0);
+    found.rotation = inner.number(rotation.name, range(rotation)).value_or(0);
+    pair(layers::kUvScale, found.scale);
+    pair(layers::kUvOffset, found.offset);
+    pair(layers::kUvSpeed, found.speed);
     return found;
 }
 

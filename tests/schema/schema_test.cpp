@@ -44,23 +44,32 @@ std::vector<fs::path> samples() {
     return out;
 }
 
-// The codes of the errors in a whole message.
-std::set<int> codes_of(const std::string& text) {
-    std::set<int> out;
+// Codes and messages.
+using Errors = std::set<std::pair<int, std::string>>;
+
+// The errors in a whole text of messages.
+Errors errors_of(const std::string& text) {
+    Errors out;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         std::size_t at = line.rfind("[SG");
         if (line.ends_with(']') && at != std::string::npos && line.find(": error: ") < at)
-            out.insert(std::stoi(line.substr(at + 3)));
+            out.emplace(std::stoi(line.substr(at + 3)), line);
     }
     return out;
 }
 
+std::set<int> codes_of(const Errors& errors) {
+    std::set<int> out;
+    for (const auto& [code, message] : errors) out.insert(code);
+    return out;
+}
+
 // One of them can be said by a schema.
-bool sayable(const std::set<int>& codes) {
-    return std::any_of(codes.begin(), codes.end(), [](int code) {
-        const test::Verdict* row = test::find_verdict(static_cast<Code>(code));
-        return row && row->beyond.empty();
+bool sayable(const Errors& errors) {
+    return std::any_of(errors.begin(), errors.end(), [](const auto& error) {
+        const test::Verdict* row = test::find_verdict(static_cast<Code>(error.first));
+        return row && row->beyond.empty() && !test::find_beyond_message(error.first, error.second);
     });
 }
 
@@ -88,15 +97,16 @@ TEST(Schema, RefusesEachErrorThatASchemaCanSay) {
     std::set<int> refused, passed, met;
     for (const fs::path& path : json_files("tests/errors/cases")) {
         std::string name = path.stem().string(), text = test::read_file(path);
-        std::set<int> codes =
-            codes_of(test::read_file(test::source_dir() / "tests/errors/cases" / (name + ".txt")));
+        const Errors errors =
+            errors_of(test::read_file(test::source_dir() / "tests/errors/cases" / (name + ".txt")));
+        const std::set<int> codes = codes_of(errors);
         EXPECT_FALSE(codes.empty()) << name;
         if (!Json::accept(text)) {
-            EXPECT_FALSE(sayable(codes)) << name;
+            EXPECT_FALSE(sayable(errors)) << name;
             continue;
         }
         met.insert(codes.begin(), codes.end());
-        bool said = sayable(codes) && test::find_beyond_case(name) == nullptr;
+        bool said = sayable(errors) && test::find_beyond_case(name) == nullptr;
         bool good = validator().refusal(text).empty();
         if (said) {
             EXPECT_FALSE(good) << name << ": the schema lets it pass";
@@ -127,7 +137,7 @@ std::size_t forget(Json& schema, const std::string& keyword, bool properties = f
     if (schema.is_object() && !properties) count += schema.erase(keyword);
     if (schema.is_structured()) {
         for (auto& [key, value] : schema.items()) {
-            if (key == "if") continue;  // what tells an instance from a whole material
+            if (key == "if" || key == "not") continue;  // less of these is not weaker
             bool names = schema.is_object() && !properties && (key == "properties" || key == "definitions");
             count += forget(value, keyword, names);
         }
@@ -190,6 +200,38 @@ std::vector<Changed> changes_of(const Json& document) {
     return out;
 }
 
+// Properties without a description, by their places; what "if" and "then" ask beside it counts as no
+// property.
+void undescribed(const Json& schema, const std::string& at, bool names, std::size_t& count,
+                 std::vector<std::string>& out) {
+    if (!schema.is_structured()) return;
+    for (const auto& [key, value] : schema.items()) {
+        if (!names && (key == "if" || key == "then" || key == "not")) continue;
+        const std::string here = at + "/" + key;
+        if (names && at.ends_with("/properties")) {
+            ++count;
+            const auto text = value.find("description");
+            if (text == value.end() || !text->is_string() || text->template get<std::string>().empty())
+                out.push_back(here);
+        }
+        undescribed(value, here, schema.is_object() && !names && key == "properties", count, out);
+    }
+}
+
+TEST(Schema, EveryPropertyIsDescribed) {
+    const Json schema = Json::parse(schema_text());
+    std::vector<std::string> without;
+    std::size_t count = 0;
+    for (const char* part : {"then", "else", "definitions"})
+        undescribed(schema[part], std::string("/") + part, false, count, without);
+    for (const std::string& place : without) ADD_FAILURE() << place;
+    EXPECT_GT(count, 300u);
+    Json bare = schema["else"];  // the walk can fail
+    bare["properties"]["textures"]["additionalProperties"]["properties"]["file"].erase("description");
+    undescribed(bare, "", false, count, without);
+    EXPECT_EQ(without.size(), 1u);
+}
+
 // The proof can fail: without any one of its keywords the schema lets something through.
 TEST(Schema, EveryKeywordIsNeeded) {
     std::vector<std::string> refused;
@@ -202,9 +244,9 @@ TEST(Schema, EveryKeywordIsNeeded) {
     std::erase_if(refused, [](const std::string& text) {
         return !Json::accept(text) || validator().refusal(text).empty();
     });
-    for (const char* keyword :
-         {"additionalProperties", "propertyNames", "required", "type", "enum", "const", "minimum", "maximum",
-          "minItems", "maxItems", "minLength", "maxLength", "pattern"}) {
+    for (const char* keyword : {"additionalProperties", "additionalItems", "not", "then", "propertyNames",
+                                "required", "type", "enum", "const", "minimum", "maximum", "minItems",
+                                "maxItems", "minLength", "maxLength", "pattern"}) {
         Json schema = Json::parse(schema_text());
         ASSERT_GT(forget(schema, keyword), 0u) << keyword;
         SchemaValidator weak(schema.dump());
@@ -224,15 +266,15 @@ public:
             files_.contents[entry.path().string()] = text ? test::read_file(entry.path()) : "a picture";
         }
     }
-    std::set<int> codes(const fs::path& path, const std::string& text) {
+    Errors errors(const fs::path& path, const std::string& text) {
         CompileRequest request{.source = std::make_shared<Source>(Source{path.string(), text})};
         request.stem = "case";
         request.roots = {path.parent_path(), test::source_dir() / "materials"};
         Diags diags;
         check_material(request, files_, library_, diags);
-        std::set<int> out;
+        Errors out;
         for (const Diagnostic& d : diags.all()) {
-            if (d.severity == Severity::error) out.insert(static_cast<int>(d.code));
+            if (d.severity == Severity::error) out.emplace(static_cast<int>(d.code), d.message);
         }
         return out;
     }
@@ -258,13 +300,14 @@ TEST(Schema, AgreesWithTheCompiler) {
         Json document = Json::parse(test::read_file(path));
         for (const Changed& changed : changes_of(document)) {
             std::string text = changed.document.dump();
-            std::set<int> codes = checker.codes(path, text);
+            const Errors errors = checker.errors(path, text);
+            const std::set<int> codes = codes_of(errors);
             std::string refusal = validator().refusal(text), found;
             for (int code : codes) found += fmt::format(" SG{}", code);
             if (codes.empty()) {
                 EXPECT_EQ(refusal, "") << path.filename() << " " << changed.what;
             }
-            if (sayable(codes) && !compares_declarations(document, changed, codes)) {
+            if (sayable(errors) && !compares_declarations(document, changed, codes)) {
                 EXPECT_NE(refusal, "") << path.filename() << " " << changed.what << found;
             }
             ++count;

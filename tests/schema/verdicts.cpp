@@ -34,14 +34,14 @@ constexpr Verdict kVerdicts[] = {
     {Code::duplicate_id, kTwoParts},
     {Code::wrong_encoding, kDeclared},
     {Code::parameter_type, kDeclared},
-    {Code::srgb_data, kTwoParts},
-    {Code::unused_setting, kTwoParts},
+    {Code::srgb_data, kSaid},
+    {Code::unused_setting, kSaid},
     {Code::too_many, kSaid},
     {Code::unknown_node, kDeclared},
     {Code::node_cycle, kGraph},
     {Code::node_type, kDeclared},
     {Code::extends_cycle, kGraph},
-    {Code::parallax_place, kTwoParts},
+    {Code::parallax_place, kSaid},
     {Code::unknown_entry, kDeclared},
     {Code::color_space_differs, kFiles},
     {Code::mixed_gradients, kTwoParts},
@@ -82,9 +82,20 @@ constexpr Verdict kVerdicts[] = {
 };
 
 constexpr BeyondCase kBeyondCases[] = {
+    {"SG1207_parallax_steps", "no keyword compares two numbers"},
     {"SG1105_in_base", "the fault is in the file that the instance extends"},
     {"SG1202_instance", "the types of its parameters are declared in the file that the instance extends"},
     {"SG1104_parameter_limits", "a parameter's range is compared with the range of the field that uses it"},
+};
+
+constexpr BeyondMessage kBeyondMessages[] = {
+    {Code::unused_setting, "'min_steps' is more than 'max_steps'", "no keyword compares two numbers"},
+    {Code::unused_setting, "'angle_fade' runs backwards", "no keyword compares two numbers"},
+    {Code::unused_setting, "the range 'from' is empty", "no keyword compares two numbers"},
+    {Code::unused_setting, "'rnm' turns one map by the other", "it compares two coordinates and two tilings"},
+    {Code::unused_setting, "means nothing without a parallax",
+     "no keyword looks from a layer or node, however deep, to the first entry"},
+    {Code::unused_setting, "calls GLSL itself", "no keyword looks for a kind at any depth"},
 };
 
 }  // namespace
@@ -105,6 +116,14 @@ const BeyondCase* find_beyond_case(std::string_view name) {
     auto at = std::find_if(std::begin(kBeyondCases), std::end(kBeyondCases),
                            [&](const BeyondCase& c) { return c.name == name; });
     return at == std::end(kBeyondCases) ? nullptr : at;
+}
+
+const BeyondMessage* find_beyond_message(int code, std::string_view message) {
+    auto at =
+        std::find_if(std::begin(kBeyondMessages), std::end(kBeyondMessages), [&](const BeyondMessage& m) {
+            return static_cast<int>(m.code) == code && message.find(m.part) != std::string_view::npos;
+        });
+    return at == std::end(kBeyondMessages) ? nullptr : at;
 }
 
 }  // namespace sg::test

@@ -23,4 +23,12 @@ struct BeyondCase {
 std::span<const BeyondCase> beyond_cases();
 const BeyondCase* find_beyond_case(std::string_view name);
 
+// An error whose code a schema can say, but not this one, which is known by a part of its message.
+struct BeyondMessage {
+    Code code;
+    std::string_view part;
+    std::string_view reason;
+};
+const BeyondMessage* find_beyond_message(int code, std::string_view message);
+
 }  // namespace sg::test
