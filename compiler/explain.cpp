@@ -17,34 +17,17 @@ constexpr std::size_t kMargin = 72;  // where the remarks begin, unless a line i
 
 // ---- what became of each line ----
 
-// Why nothing needs a value any more: the rule, and the line on which it was applied.
-struct Blame {
-    std::string_view rule;
-    std::size_t at = 0;
-};
-
 class Remarks {
 public:
-    Remarks(const ir::Module& before, const opt::Log& log)
-        : log_(log), uses_(before.values.size()), blame_(before.values.size()) {
+    Remarks(const ir::Module& before, const opt::Log& log) : log_(log), uses_(before.values.size()) {
         for (const opt::RuleUse& use : log.uses) uses_[use.before.index].push_back(use.rule);
-        for (std::size_t i = before.values.size(); i-- > 0;) {
-            Blame blame = uses_[i].empty() ? blame_[i] : Blame{uses_[i].front(), i};
-            if (blame.rule.empty()) continue;
-            for (ValueId operand : before.values[i].operands) blame_[operand.index] = blame;
-        }
     }
 
     [[nodiscard]] std::string before(std::size_t i) const {
-        ValueId after = log_.after[i];
-        std::string by = fmt::format("{}", fmt::join(uses_[i], ", "));
-        if (!after.valid()) {
-            if (!by.empty()) return "gone: " + by;
-            const Blame& blame = blame_[i];
-            return blame.rule.empty() ? "gone: nothing needs it"
-                                      : fmt::format("gone: {} of %{}", blame.rule, blame.at);
-        }
-        std::string out = fmt::format("now %{}", after.index);
+        const ValueId after = log_.after[i];
+        const std::string by = fmt::format("{}", fmt::join(uses_[i], ", "));
+        if (!after.valid()) return fmt::format("gone: {}{}{}", by, by.empty() ? "" : ", then ", loss(i));
+        const std::string out = fmt::format("now %{}", after.index);
         if (!by.empty()) return fmt::format("{}: {}", out, by);
         std::size_t origin = log_.origins[after.index].before.index;
         return origin == i ? out : fmt::format("{}: the same as %{}", out, origin);
@@ -57,9 +40,15 @@ public:
     }
 
 private:
+    // What took its last use away.
+    [[nodiscard]] std::string loss(std::size_t i) const {
+        const opt::Loss& loss = log_.losses[i];
+        return loss.rule.empty() ? "nothing needs it"
+                                 : fmt::format("{} of %{}", loss.rule, loss.before.index);
+    }
+
     const opt::Log& log_;
-    std::vector<std::vector<std::string_view>> uses_;
-    std::vector<Blame> blame_;
+    std::vector<std::vector<std::string_view>> uses_;  // rules, by value
 };
 
 // The module's text with a remark behind each value.
@@ -171,18 +160,22 @@ private:
 
 }  // namespace
 
+std::string explain_module(const ir::Module& before, std::string_view skipped_rule) {
+    opt::Log log;
+    const ir::Module after = opt::optimise(before, skipped_rule, &log);
+    const Remarks remarks(before, log);
+    std::string out = fmt::format("# Before the optimiser: {} values\n\n", before.values.size());
+    out += annotated(before, [&](std::size_t i) { return remarks.before(i); });
+    out += fmt::format("\n# After it: {} values\n\n", after.values.size());
+    return out + annotated(after, [&](std::size_t i) { return remarks.after(i); });
+}
+
 std::optional<std::string> explain_material(const CompileRequest& request, Files& files,
                                             const target::ShaderLibrary& library, Diags& diags) {
     auto checked = read_and_verify(request, files, library, diags);
     if (!checked) return std::nullopt;
     ir::Module before = material::lower(*checked, material::Custom::called, request.numbers);
-    opt::Log log;
-    ir::Module after = opt::optimise(before, request.skipped_rule, &log);
-    Remarks remarks(before, log);
-    std::string out = fmt::format("# Before the optimiser: {} values\n\n", before.values.size());
-    out += annotated(before, [&](std::size_t i) { return remarks.before(i); });
-    out += fmt::format("\n# After it: {} values\n\n", after.values.size());
-    out += annotated(after, [&](std::size_t i) { return remarks.after(i); });
+    std::string out = explain_module(before, request.skipped_rule);
     out += references(*checked);
     out += "\n# What each layer costs the forward fragment shader (with all layers - without this one)\n\n";
     return out + Costs(std::move(*checked), request, library).text();

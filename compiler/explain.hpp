@@ -14,4 +14,7 @@ namespace sg {
 std::optional<std::string> explain_material(const CompileRequest& request, Files& files,
                                             const target::ShaderLibrary& library, Diags& diags);
 
+// Of it, the IR before and after alone.
+std::string explain_module(const ir::Module& before, std::string_view skipped_rule = "");
+
 }  // namespace sg

@@ -41,12 +41,26 @@ struct Origin {
     std::string_view rule;  // that made it; "" where it only was copied
 };
 
+// Why nothing needs a value any more: the rule that took its last use away, and the value of the given module
+// on which that was applied. "": nothing needed it from the beginning.
+struct Loss {
+    std::string_view rule;
+    ir::ValueId before;
+};
+
 // What became of what; for people.
 struct Log {
     std::vector<RuleUse> uses;  // by `before`
     std::vector<ir::ValueId>
         after;  // by value of the given module: what stands for it; invalid where nothing needs it
+    std::vector<Loss> losses;     // by value of the given module: of those that nothing stands for
     std::vector<Origin> origins;  // by value of the optimised module
+};
+
+// A rule was applied in place of a value with these operands, which lose this use.
+struct Removal {
+    Loss why;
+    std::vector<ir::ValueId> operands;
 };
 
 class Rewriter {
@@ -71,12 +85,15 @@ public:
     // The operand's value if it is of this operation, else null.
     [[nodiscard]] const ir::Value* operand(const ir::Value& value, std::size_t index, ir::Op op) const;
     ir::Module take() { return std::move(module_); }
+    // In the order of time; with a log only.
+    [[nodiscard]] const std::vector<Removal>& removals() const { return removals_; }
 
 private:
     ir::Module module_;
     std::string_view skipped_;
     Log* log_;
     std::string_view maker_;  // the innermost rule at work
+    std::vector<Removal> removals_;
     std::vector<std::vector<std::uint32_t>> buckets_;
     ir::ValueId apply(const Rule& rule, const ir::Value& value);
     [[nodiscard]] std::size_t hash(const ir::Value& value) const;

@@ -57,14 +57,18 @@ void Rewriter::grow() {
 // Notes the rule in front of those that it led to.
 ValueId Rewriter::apply(const Rule& rule, const Value& value) {
     if (!log_) return rule.apply(*this, value);
-    std::size_t at = log_->uses.size();
-    std::string_view outer = std::exchange(maker_, rule.name);
-    ValueId better = rule.apply(*this, value);
+    const ValueId before{static_cast<std::uint32_t>(log_->after.size())};
+    const std::size_t at = log_->uses.size(), removal = removals_.size();
+    removals_.push_back({{rule.name, before}, value.operands});
+    const std::string_view outer = std::exchange(maker_, rule.name);
+    const ValueId better = rule.apply(*this, value);
     maker_ = outer;
-    ValueId before{static_cast<std::uint32_t>(log_->after.size())};
-    if (better.valid())
+    if (better.valid()) {
         log_->uses.insert(log_->uses.begin() + static_cast<std::ptrdiff_t>(at),
                           {rule.name, value.op, before});
+    } else {
+        removals_.resize(removal);
+    }
     return better;
 }
 
@@ -148,6 +152,39 @@ void drop_dead_layers(ir::Module& module) {
     });
 }
 
+// Notes of values that are dropped which removal took their last use away: their own, or that of what they
+// were needed for.
+void note_losses(Log& log, const ir::Module& module, const std::vector<Removal>& removals,
+                 const std::vector<ValueId>& renamed) {
+    std::vector<std::size_t> last(module.values.size(), 0);  // by value: from 1; 0 for none
+    for (std::size_t r = 0; r < removals.size(); ++r) {
+        for (ValueId operand : removals[r].operands) last[operand.index] = r + 1;
+    }
+    for (std::size_t i = module.values.size(); i-- > 0;) {
+        if (renamed[i].valid()) continue;
+        for (ValueId operand : module.values[i].operands)
+            last[operand.index] = std::max(last[operand.index], last[i]);
+    }
+    log.losses.resize(log.after.size());
+    for (std::size_t i = 0; i < log.after.size(); ++i) {
+        const ValueId after = log.after[i];
+        if (after.valid() && !renamed[after.index].valid() && last[after.index] > 0)
+            log.losses[i] = removals[last[after.index] - 1].why;
+    }
+}
+
+// What a rule on the whole module took away: the operands of the values that it changed.
+std::vector<Removal> removals_by(const Rule& rule, const ir::Module& before, const ir::Module& after,
+                                 const Log& log) {
+    SG_ASSERT(before.values.size() == after.values.size());
+    std::vector<Removal> out;
+    for (std::size_t i = 0; i < before.values.size(); ++i) {
+        if (before.values[i].operands != after.values[i].operands)
+            out.push_back({{rule.name, log.origins[i].before}, before.values[i].operands});
+    }
+    return out;
+}
+
 // The log speaks of the rewritten module until here.
 void rename(Log& log, const std::vector<ValueId>& renamed) {
     for (ValueId& after : log.after) after = after.valid() ? renamed[after.index] : after;
@@ -188,12 +225,18 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
         });
     };
     std::erase_if(out.outputs, [&](const ir::OutputBinding& o) { return only_shown(o) && !used(o); });
-    out = compact(std::move(out), renamed);
-    if (log) rename(*log, renamed);
+    auto drop_unneeded = [&](const ir::Module& before, const std::vector<Removal>& removals) {
+        out = compact(std::move(out), renamed);
+        if (!log) return;
+        note_losses(*log, before, removals, renamed);
+        rename(*log, renamed);
+    };
+    drop_unneeded(log ? out : ir::Module{}, rewriter.removals());
     for (const Rule& rule : all_rules()) {
         if (!rule.whole || rule.name == skipped_rule) continue;
-        out = compact(rule.whole(std::move(out), rule, log), renamed);
-        if (log) rename(*log, renamed);
+        const ir::Module before = log ? out : ir::Module{};
+        out = rule.whole(std::move(out), rule, log);
+        drop_unneeded(before, log ? removals_by(rule, before, out, *log) : std::vector<Removal>{});
     }
     std::string faults = ir::verify(out);
     if (!faults.empty()) SG_UNREACHABLE("optimising made a bad module:\n" + faults);

@@ -224,6 +224,37 @@ TEST(OptimiserMeaning, StaysWithAllRulesAndWithoutEach) {
     }
 }
 
+// What an output that is left needed is gone because of a rule, and that rule was applied where the log says.
+TEST(OptimiserMeaning, EveryLossHasItsRule) {
+    std::size_t losses = 0;
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        const Module before = make_subject(i).made.module;
+        opt::Log log;
+        const Module after = opt::optimise(before, "", &log);
+        std::vector<bool> needed(before.values.size());
+        for (const ir::OutputBinding& o : before.outputs) {
+            for (const ir::OutputBinding& left : after.outputs)
+                if (o.output == left.output && o.set == left.set) needed[o.value.index] = true;
+        }
+        for (std::size_t v = before.values.size(); v-- > 0;) {
+            if (!needed[v]) continue;
+            for (ValueId operand : before.values[v].operands) needed[operand.index] = true;
+        }
+        for (std::size_t v = 0; v < before.values.size(); ++v) {
+            if (log.after[v].valid()) continue;
+            const opt::Loss& loss = log.losses[v];
+            EXPECT_TRUE(!needed[v] || !loss.rule.empty()) << "%" << v << "\n" << ir::print(before);
+            if (loss.rule.empty()) continue;
+            ++losses;
+            EXPECT_TRUE(std::any_of(
+                log.uses.begin(), log.uses.end(),
+                [&](const opt::RuleUse& use) { return use.rule == loss.rule && use.before == loss.before; }))
+                << loss.rule << " of %" << loss.before.index << ", SG_SEED=" << run_seed();
+        }
+    }
+    EXPECT_GT(losses, 500u);
+}
+
 // ---- wrong rewrites ----
 
 TEST(OptimiserMeaning, WrongRewritesAreNoticed) {
