@@ -150,12 +150,23 @@ private:
         return values[values.size() - 1 - below(reach)];
     }
 
-    ValueId nowhere() {
+    ValueId nothing(Type type) {
         const ValueId id{static_cast<std::uint32_t>(out_.module.values.size())};
         depth_.push_back(0);
-        by_type_[Type::Vec2].push_back(id);
-        out_.module.values.push_back({.op = Op::constant, .type = Type::Vec2});
+        by_type_[type].push_back(id);
+        out_.module.values.push_back({.op = Op::constant, .type = type});
         return id;
+    }
+
+    // The last number that has a bound, if there is one.
+    ValueId bounded() {
+        ValueId out;
+        for (ValueId id : by_type_[Type::Scalar]) {
+            const Op op = out_.module.at(id).op;
+            const bool falls_off = ir::info(op).name.starts_with("decal_");
+            if (falls_off || op == Op::facing || op == Op::smoothstep) out = id;
+        }
+        return out;
     }
 
     void add(const ir::OpInfo& op) {
@@ -170,7 +181,12 @@ private:
             depth = std::max(depth, depth_[value.operands.back().index]);
         }
         // Chance seldom lets a drift begin nowhere.
-        if (op.op == Op::drift && below(2) == 0) value.operands[0] = nowhere();
+        if (op.op == Op::drift && below(2) == 0) value.operands[0] = nothing(Type::Vec2);
+        // Nor comes a number with a bound under a factor of nothing.
+        if (op.op == Op::multiply && below(4) == 0) {
+            if (const ValueId factor = bounded(); factor.valid())
+                value.operands = {nothing(Type::Scalar), factor};
+        }
         if (grows(op.result)) {
             depth += op.op == Op::power ? kMaxDepth : 1;  // nothing but plain numbers under a power
             if (depth > kMaxDepth) return;
