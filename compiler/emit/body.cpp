@@ -77,11 +77,50 @@ Body::Body(const ir::Module& module, const MaterialInterface& material, Wording 
             fmt::format("    {} {} = {};\n", ir::info(value.type).glsl, names[i], expressions_[i]);
         expressions_[i] = std::move(names[i]);
     }
-    ir::LayerId current;
+    write(statements);
+}
+
+// Paragraph by paragraph: the lines of a layer, or those of none.
+void Body::write(const std::vector<std::string>& statements) {
+    std::vector<bool> has_lines(module_.layers.size()), seen(module_.values.size());
     for (const Local& local : plan_.locals) {
-        if (local.layer != current) begin_paragraph(current = local.layer);
-        text_ += statements[local.value];
+        if (local.layer.valid()) has_lines[local.layer.index] = true;
     }
+    const std::span<const Local> locals = plan_.locals;
+    for (std::size_t begin = 0, end = 0; begin < locals.size(); begin = end) {
+        while (end < locals.size() && locals[end].layer == locals[begin].layer) ++end;
+        std::vector<ValueId> roots;
+        for (std::size_t i = begin; i < end; ++i)
+            roots.push_back({static_cast<std::uint32_t>(locals[i].value)});
+        std::vector<ir::LayerId> layers = looks_without_lines(std::move(roots), has_lines, seen);
+        if (locals[begin].layer.valid()) layers.push_back(locals[begin].layer);
+        begin_paragraph(layers);
+        for (std::size_t i = begin; i < end; ++i) text_ += statements[locals[i].value];
+    }
+    std::vector<ValueId> roots;
+    for (const ir::OutputBinding& output : module_.outputs) roots.push_back(output.value);
+    const std::vector<ir::LayerId> behind = looks_without_lines(std::move(roots), has_lines, seen);
+    if (!behind.empty()) begin_paragraph(behind);
+}
+
+// The layers that find what the eye sees, have no line of their own, and are written for the first time in
+// what these values are computed from.
+std::vector<ir::LayerId> Body::looks_without_lines(std::vector<ValueId> open, std::vector<bool>& has_lines,
+                                                   std::vector<bool>& seen) const {
+    std::vector<ir::LayerId> out;
+    while (!open.empty()) {
+        const ValueId id = open.back();
+        open.pop_back();
+        if (seen[id.index]) continue;
+        seen[id.index] = true;
+        const Value& value = module_.at(id);
+        if (ir::looks_along_ray(value.op) && value.layer.valid() && !has_lines[value.layer.index]) {
+            has_lines[value.layer.index] = true;
+            out.push_back(value.layer);
+        }
+        open.insert(open.end(), value.operands.begin(), value.operands.end());
+    }
+    return out;
 }
 
 // A call of a user's function. A texture is two arguments, as everywhere in the library.
@@ -220,12 +259,13 @@ std::string Body::wanted_name(std::size_t i) const {
     return plan_.layer_result[i] ? id : fmt::format("{}_{}", id, hint);
 }
 
-// A blank line, and in front of a layer's lines a comment.
-void Body::begin_paragraph(ir::LayerId layer) {
+// A blank line, and in front of layers' lines their comments.
+void Body::begin_paragraph(std::span<const ir::LayerId> layers) {
     if (!text_.empty()) text_ += "\n";
-    if (!layer.valid()) return;
-    const ir::Layer& info = module_.layers[layer.index];
-    text_ += fmt::format("    // {}: {}\n", comment_text(info.id), info.kind);
+    for (ir::LayerId layer : layers) {
+        const ir::Layer& info = module_.layers[layer.index];
+        text_ += fmt::format("    // {}: {}\n", comment_text(info.id), info.kind);
+    }
 }
 
 }  // namespace sg::emit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,11 @@ private:
     [[nodiscard]] std::string operand_of(std::size_t parent, std::size_t index) const;
     [[nodiscard]] std::string_view plainer_wording(const ir::Value& value) const;
     [[nodiscard]] std::string wanted_name(std::size_t i) const;
-    void begin_paragraph(ir::LayerId layer);
+    void write(const std::vector<std::string>& statements);
+    [[nodiscard]] std::vector<ir::LayerId> looks_without_lines(std::vector<ir::ValueId> open,
+                                                               std::vector<bool>& has_lines,
+                                                               std::vector<bool>& seen) const;
+    void begin_paragraph(std::span<const ir::LayerId> layers);
 
     const ir::Module& module_;
     const MaterialInterface& material_;

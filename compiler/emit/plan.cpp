@@ -46,10 +46,11 @@ bool is_trivial(const Value& value) {
     }
 }
 
-// What a layer may give: a bump in one of its forms.
-bool is_bump(Type type) {
+// What a layer may give: a bump in one of its forms, or the normal that it was merged into.
+bool is_bump(const Value& value) {
+    const Type type = value.type;
     return type == Type::SurfGrad || type == Type::VolGrad || type == Type::LocalGrad ||
-           type == Type::Deriv || type == Type::TangentNormal;
+           type == Type::Deriv || type == Type::TangentNormal || value.op == ir::Op::resolve_towards;
 }
 
 // How often a row's text writes an operand.
@@ -116,7 +117,7 @@ private:
                    module_.at(module_.at(id).operands[0]).layer == module_.at(id).layer)
                 id = module_.at(id).operands[0];
             const Value& value = module_.at(id);
-            if (!value.layer.valid() || is_trivial(value) || !is_bump(value.type)) return;
+            if (!value.layer.valid() || is_trivial(value) || !is_bump(value)) return;
             ValueId& result = last[value.layer.index];
             if (!result.valid() || result.index < id.index) result = id;
         };

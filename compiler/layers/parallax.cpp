@@ -48,7 +48,8 @@ void lower_offset(LowerContext& context, FieldValues values) {
         return builder.add_indexed(Op::parallax_height, from.texture.index, {uv, scale}, "height");
     };
     ValueId offset = builder.add(Op::parallax_offset, {from.view, height_at(from.uv)}, "offset");
-    finish(context, values, from, offset, height_at(builder.add(Op::parallax_uv, {from.uv, offset})));
+    finish(context, values, from, offset,
+           height_at(builder.add(Op::parallax_uv, {from.uv, offset}, "seen_uv")));
 }
 
 // A parallax map stores n_z (2 h - 1): half the strength is what its value 1 means.
@@ -67,7 +68,7 @@ void lower_steps(LowerContext& context, FieldValues values) {
         Op::parallax_steps, from.texture.index,
         {from.view, from.uv, times(0.5 / count), decode, context.constant(count)}, "offset");
     ValueId of_value = builder.add(Op::pair, {times(0.5 * scale), times(0.5 * bias)}, "heights");
-    ValueId seen = builder.add(Op::parallax_uv, {from.uv, offset});
+    ValueId seen = builder.add(Op::parallax_uv, {from.uv, offset}, "seen_uv");
     finish(context, values, from, offset,
            builder.add_indexed(Op::parallax_height, from.texture.index, {seen, of_value}, "height"));
 }

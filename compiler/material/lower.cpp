@@ -30,9 +30,7 @@ public:
         for (std::size_t i = 0; i < material_.stages.size(); ++i) {
             if (i > 0) context_.begin_entry(normal, material_.stage_ids[i - 1]);
             ValueId g = sum(material_.stages[i]);
-            const std::string& id = material_.stage_ids[i];
-            normal =
-                builder_.add(Op::resolve, {context_.normal(), g}, id.empty() ? "normal" : id + "_normal");
+            normal = builder_.add(Op::resolve, {context_.normal(), g}, normal_of(material_.stage_ids[i]));
             if (i == 0) gradient = g;
         }
         if (!gradient.valid()) gradient = builder_.add(Op::zero_surfgrad);
@@ -63,16 +61,26 @@ private:
         return out;
     }
 
+    ir::LayerId declared(const std::string& id, std::string_view kind) {
+        module_.layers.push_back({id, std::string(kind)});
+        return {static_cast<std::uint32_t>(module_.layers.size() - 1)};
+    }
+
     void parallax(const CheckedParallax& parallax) {
-        ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
-        module_.layers.push_back({"parallax", std::string(parallax.kind->name)});
-        context_.set_layer(id);
+        context_.set_layer(declared("parallax", parallax.kind->name));
         parallax.kind->lower(context_, parallax.values);
         context_.set_layer({});
     }
 
-    // The layers of a stage or group from first to last (Eq 13 and 14).
-    ValueId sum(const std::vector<CheckedLayer>& layers) {
+    // What the normal of an entry is called, beside those of the mesh and of what parallax shows.
+    static std::string normal_of(const std::string& id) {
+        if (id.empty()) return "normal";
+        const bool taken = id == "base" || id == "moved" || id == "viewed";
+        return id + (taken ? "_entry_normal" : "_normal");
+    }
+
+    // The layers of a stage or group from first to last (Eq 13 and 14). `own`: the group's.
+    ValueId sum(const std::vector<CheckedLayer>& layers, ir::LayerId own = {}) {
         ValueId total;
         for (const CheckedLayer& layer : layers) {
             auto [g, coverage] = scaled(layer);
@@ -81,22 +89,30 @@ private:
             show(layer, masked);
             if (layer.common[layers::kBlend].index == layers::kBlendMix) {
                 if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
-                total =
-                    builder_.add(Op::mix_surfgrad, {total, g, share.valid() ? share : context_.constant(1)});
+                if (!share.valid()) share = context_.constant(1);
+                total = of_group(own, Op::mix_surfgrad, {total, g, share});
                 continue;
             }
-            total = total.valid() ? builder_.add(Op::add_surfgrad, {total, masked}) : masked;
+            total = total.valid() ? of_group(own, Op::add_surfgrad, {total, masked}) : masked;
         }
         return total.valid() ? total : builder_.add(Op::zero_surfgrad);
     }
 
-    // One layer alone, for the debug entry; a group is shown by its layers.
+    // One layer alone, for the debug entry; likewise a group.
     void show(const CheckedLayer& layer, ValueId masked) {
         auto named = [&](const ir::Layer& l) { return l.id == layer.id; };
         const auto found = std::find_if(module_.layers.begin(), module_.layers.end(), named);
-        if (layer.kind && found != module_.layers.end())
+        if (found != module_.layers.end())
             builder_.output(ir::Output::layer, masked,
                             static_cast<std::uint32_t>(found - module_.layers.begin()));
+    }
+
+    // What joins a group's layers is known by the group's name.
+    ValueId of_group(ir::LayerId group, Op op, std::vector<ValueId> operands) {
+        context_.set_layer(group);
+        ValueId joined = builder_.add(op, std::move(operands));
+        context_.set_layer({});
+        return joined;
     }
 
     // How much of a layer shows: its mask times what it covers by itself; invalid where it shows wholly.
@@ -113,16 +129,15 @@ private:
         if (custom_ == Custom::replaced && !layer.equivalent.empty()) {
             made.gradient = sum(layer.equivalent);
         } else if (layer.kind) {
-            ir::LayerId id{static_cast<std::uint32_t>(module_.layers.size())};
-            module_.layers.push_back({layer.id, std::string(layer.kind->name)});
-            context_.set_layer(id);
+            context_.set_layer(declared(layer.id, layer.kind->name));
             const layers::LayerKind& kind = *layer.kind;
             context_.follow_parallax(layers::follows_parallax(layer.values));
             made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}}
                               : kind.lower_covered(context_, layer.values);
             context_.follow_parallax(true);
         } else {
-            made.gradient = sum(layer.group);
+            const ir::LayerId own = declared(layer.id, "group");
+            made.gradient = sum(layer.group, own);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];
         if (strength.given) made.gradient = times(made.gradient, strength);

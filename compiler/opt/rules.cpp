@@ -208,8 +208,10 @@ ValueId resolve_towards_normal(Rewriter& rewriter, const Value& value) {
     if (!gradient || gradient->operands[0] != value.operands[0]) return {};
     const Value* wanted = rewriter.operand(*gradient, 1, Op::direction_of);
     if (!wanted) return {};
+    Value like = value;
+    like.layer = gradient->layer;  // the normal is all that is left of it
     return rewriter.add(Op::resolve_towards, {value.operands[0], wanted->operands[0], scaled->operands[0]},
-                        value);
+                        like);
 }
 
 // ---- masks and mixes ----

@@ -137,5 +137,52 @@ TEST(Text, NegationsReadAsSuch) {
         << roughness;
 }
 
+// A layer that becomes a part of an operation on normals is still known by its name.
+TEST(Text, AnEarlierNormalHasItsComment) {
+    const std::string main =
+        Text(entry(R"({ "id": "grain", "kind": "noise" })") + ", " +
+             R"({ "id": "wet", "layers": [ { "id": "film", "kind": "earlier_normal", "mask": 0.5 } ] })")
+            .main();
+    EXPECT_NE(main.find("\n    // film: earlier_normal\n    vec3 m_film = sg_resolve_towards("),
+              std::string::npos)
+        << main;
+}
+
+TEST(Text, AGroupHasItsComment) {
+    const std::string group =
+        R"({ "id": "crust", "kind": "group", "strength": 0.5, "layers": [
+            { "id": "a", "kind": "noise", "frequency": 3 }, { "id": "b", "kind": "noise", "frequency": 7 } ] })";
+    const std::string main = Text(entry(R"({ "id": "c", "kind": "noise" }, )" + group)).main();
+    const std::size_t a = main.find("    // a: noise\n"), b = main.find("    // b: noise\n");
+    const std::size_t crust = main.find("    // crust: group\n    vec3 m_crust = ");
+    EXPECT_TRUE(a < b && b < crust && crust != std::string::npos) << main;
+    EXPECT_NE(main.find("m_c + m_crust"), std::string::npos) << main;
+}
+
+TEST(Text, AParallaxHasItsComment) {
+    const std::string color = R"(, "surface": { "base_color": { "texture": "c" } })";
+    for (const std::string kind : {"offset", "steps", "occlusion"}) {
+        const std::string parallax = R"({ "parallax": { "kind": ")" + kind +
+                                     R"(", "mesh": "flat", "strength": 0.1,
+            "texture": ")" + (kind == "steps" ? "p" : "h") +
+                                     R"(" }, "layers": [] })";
+        const std::string main = Text(parallax, color).main();
+        const std::size_t comment = main.find("    // parallax: " + kind + "\n");
+        EXPECT_LT(comment, main.find("sg_parallax_")) << main;
+        EXPECT_EQ(main.find("_parallax_parallax_"), std::string::npos) << main;
+    }
+}
+
+// An entry's normal is not mistaken for the mesh's.
+TEST(Text, AnEntryCalledBaseHasANormalOfItsOwn) {
+    const std::string map = R"({ "id": "a", "kind": "normal_map", "texture": "n" })";
+    const std::string main = Text(R"({ "id": "base", "layers": [ )" + map + " ] }, " +
+                                  entry(R"({ "id": "b", "kind": "normal_map", "texture": "n" })"))
+                                 .main();
+    EXPECT_NE(main.find("vec3 m_base_normal = sg_base_normal("), std::string::npos) << main;
+    EXPECT_NE(main.find("vec3 m_base_entry_normal = sg_resolve("), std::string::npos) << main;
+    EXPECT_EQ(main.find("m_base_normal_2"), std::string::npos) << main;
+}
+
 }  // namespace
 }  // namespace sg
