@@ -58,13 +58,17 @@ std::string without_shader_hashes(const std::string& manifest) {
 // The names that a material's author gave, as locals.
 struct KnownLocals {
     std::set<std::string> layers, nodes, all;
+    std::set<std::string> comments;  // of the layers
 };
 KnownLocals known_locals(const std::string& ir_text) {
     std::string fault;
     std::optional<ir::Module> module = ir::parse(ir_text, fault);
     EXPECT_TRUE(module) << fault;
     KnownLocals out;
-    for (const ir::Layer& layer : module->layers) out.layers.insert(emit::Names().unique("m_", layer.id));
+    for (const ir::Layer& layer : module->layers) {
+        out.layers.insert(emit::Names().unique("m_", layer.id));
+        out.comments.insert(fmt::format("{}: {}", emit::comment_text(layer.id), layer.kind));
+    }
     for (const ir::Value& value : module->values) {
         if (value.is_node) out.nodes.insert(emit::Names().unique("m_", value.name));
     }
@@ -76,6 +80,8 @@ KnownLocals known_locals(const std::string& ir_text) {
 void expect_as_by_hand(const NamedText& glsl, const KnownLocals& known) {
     EXPECT_EQ(test::local_used_once(glsl.text, known.all), "") << glsl.name;
     EXPECT_EQ(test::scattered_layer(glsl.text, known.layers, known.nodes), "") << glsl.name;
+    if (glsl.name == "forward.frag") EXPECT_EQ(test::unnamed_layer(glsl.text, known.comments), "");
+    EXPECT_EQ(test::stuttering_name(glsl.text), "") << glsl.name;
     EXPECT_EQ(test::computed_twice(glsl.text), "") << glsl.name;
     EXPECT_EQ(test::comment_twice(glsl.text), "") << glsl.name;
     EXPECT_EQ(test::long_line(glsl.text), "") << glsl.name;

@@ -133,6 +133,22 @@ std::string scattered_layer(std::string_view glsl, const std::set<std::string>& 
     return "";
 }
 
+std::string stuttering_name(std::string_view glsl) {
+    static const std::regex kTwice("\\bm_(\\w+)_\\1_\\w+");
+    const std::string body = last_function(glsl);
+    std::smatch found;
+    return std::regex_search(body, found, kTwice) ? fmt::format("'{}'", found.str()) : "";
+}
+
+std::string unnamed_layer(std::string_view glsl, const std::set<std::string>& layers) {
+    const std::vector<std::string_view> lines = lines_of(glsl);
+    for (const std::string& layer : layers) {
+        if (std::find(lines.begin(), lines.end(), "    // " + layer) == lines.end())
+            return fmt::format("'{}' is not named", layer);
+    }
+    return "";
+}
+
 std::string long_line(std::string_view glsl) {
     for (std::string_view line : lines_of(glsl)) {
         if (line.size() > 120) return fmt::format("{} letters: '{}'", line.size(), line);

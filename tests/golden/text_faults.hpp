@@ -22,6 +22,12 @@ std::string comment_twice(std::string_view glsl);
 std::string scattered_layer(std::string_view glsl, const std::set<std::string>& layers,
                             const std::set<std::string>& nodes);
 
+// A local whose name says the same twice: "m_wall_wall_uv".
+std::string stuttering_name(std::string_view glsl);
+
+// A layer that no comment names. `layers`: as in the comments, "wall: noise".
+std::string unnamed_layer(std::string_view glsl, const std::set<std::string>& layers);
+
 // A line of more than 120 letters.
 std::string long_line(std::string_view glsl);
 

@@ -55,6 +55,20 @@ TEST(TextFaults, ALayerWhoseLinesAreScattered) {
               "'m_wall_uv_2' stands outside of its layer");
 }
 
+TEST(TextFaults, ANameThatSaysTheSameTwice) {
+    for (const char* good : {"m_wall_uv", "m_noise_noise", "m_a_ab_uv", "sg_uv_uv_x"})
+        EXPECT_EQ(stuttering_name(in_main("    x = " + std::string(good) + ";\n")), "") << good;
+    EXPECT_EQ(stuttering_name(in_main("    x = f(m_wall_wall_uv);\n")), "'m_wall_wall_uv'");
+    EXPECT_EQ(stuttering_name(in_main("    x = m_old_wall_old_wall_uv;\n")), "'m_old_wall_old_wall_uv'");
+}
+
+TEST(TextFaults, ALayerThatNoCommentNames) {
+    const std::string text = in_main("    // a: noise\n    x = 1;\n\n    // b: group\n");
+    EXPECT_EQ(unnamed_layer(text, {"a: noise", "b: group"}), "");
+    EXPECT_EQ(unnamed_layer(text, {"a: noise", "b: noise"}), "'b: noise' is not named");
+    EXPECT_EQ(unnamed_layer(text, {"x = 1;"}), "'x = 1;' is not named");
+}
+
 TEST(TextFaults, ALineThatIsTooLong) {
     EXPECT_EQ(long_line(std::string(120, 'x')), "");
     EXPECT_EQ(long_line("a\n" + std::string(121, 'x')), "121 letters: '" + std::string(121, 'x') + "'");

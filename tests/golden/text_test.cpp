@@ -35,6 +35,7 @@ public:
             EXPECT_EQ(test::idle_arithmetic(t.text), "") << t.text;
             EXPECT_EQ(test::computed_twice(t.text), "") << t.text;
             EXPECT_EQ(test::comment_twice(t.text), "") << t.text;
+            EXPECT_EQ(test::stuttering_name(t.text), "") << t.text;
         }
     }
 
