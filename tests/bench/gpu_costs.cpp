@@ -1,7 +1,7 @@
 // surfgrad-bench-gpu: what each sample's forward fragment shader costs, in SPIR-V instructions that do work
 // and on an AMD GPU that need not be there: as lowered, as shipped, and without each rule of the optimiser in
-// turn. Then a material against a shader that was written by hand to do the same, where its folder is
-// present.
+// turn; at the end, what each rule saves over all samples. Then a material against a shader that was written
+// by hand to do the same, where its folder is present.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -66,24 +66,62 @@ double percent(std::uint64_t now, std::uint64_t before) {
     return 100.0 * (static_cast<double>(now) / static_cast<double>(before) - 1.0);
 }
 
-void print_samples(const target::ShaderLibrary& library) {
-    fmt::print("{:<24} {:>16} {:>22} {:>14}\n", "forward fragment shader", "SPIR-V", "navi21 instructions",
-               "VGPRs");
-    for (const auto& path : samples()) {
-        const Sample sample(path);
-        const Cost lowered = cost_of(sample.fragment({.optimise = false}, library)),
-                   ours = cost_of(sample.fragment({}, library));
-        fmt::print("{:<24} {:>7} ->{:>6} {:>7} ->{:>6} {:>+5.0f}% {:>6} ->{:>5}\n", path.stem().string(),
-                   lowered.spirv, ours.spirv, lowered.gpu.instructions, ours.gpu.instructions,
-                   percent(ours.gpu.instructions, lowered.gpu.instructions), lowered.gpu.vector_registers,
-                   ours.gpu.vector_registers);
-        for (const opt::Rule& rule : opt::all_rules()) {
-            const Cost without = cost_of(sample.fragment({.without = rule.name}, library));
-            if (without.spirv == ours.spirv && without.gpu.instructions == ours.gpu.instructions) continue;
-            fmt::print("  without {:<30} {:>8} {:>22} {:>14}\n", rule.name, without.spirv,
-                       without.gpu.instructions, without.gpu.vector_registers);
-        }
+// What a rule of the optimiser is worth: all samples without it against all with it. Negative: it costs.
+struct Worth {
+    std::size_t samples = 0;  // that it changes
+    std::int64_t spirv = 0, gpu = 0;
+    std::int64_t largest = 0;  // of the GPU's instructions, in one sample
+    std::string where;
+
+    void count(const Cost& without, const Cost& with, const std::string& sample) {
+        const auto saved = static_cast<std::int64_t>(without.gpu.instructions - with.gpu.instructions);
+        ++samples;
+        spirv += static_cast<std::int64_t>(without.spirv - with.spirv);
+        gpu += saved;
+        if (saved > largest) largest = saved, where = sample;
     }
+};
+
+// By opt::all_rules().
+void print_sample(const std::filesystem::path& path, const target::ShaderLibrary& library,
+                  std::vector<Worth>& worths) {
+    const std::string stem = path.stem().string();
+    const Sample sample(path);
+    const Cost lowered = cost_of(sample.fragment({.optimise = false}, library)),
+               ours = cost_of(sample.fragment({}, library));
+    fmt::print("{:<24} {:>7} ->{:>6} {:>7} ->{:>6} {:>+5.0f}% {:>6} ->{:>5} {:>4} ->{:>3}\n", stem,
+               lowered.spirv, ours.spirv, lowered.gpu.instructions, ours.gpu.instructions,
+               percent(ours.gpu.instructions, lowered.gpu.instructions), lowered.gpu.vector_registers,
+               ours.gpu.vector_registers, lowered.gpu.waves, ours.gpu.waves);
+    const std::span<const opt::Rule> rules = opt::all_rules();
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const Cost without = cost_of(sample.fragment({.without = rules[i].name}, library));
+        if (without.spirv == ours.spirv && without.gpu.instructions == ours.gpu.instructions) continue;
+        worths[i].count(without, ours, stem);
+        fmt::print("  without {:<30} {:>8} {:>22} {:>14} {:>9}\n", rules[i].name, without.spirv,
+                   without.gpu.instructions, without.gpu.vector_registers, without.gpu.waves);
+    }
+}
+
+void print_rules(const std::vector<Worth>& worths) {
+    fmt::print("\n{:<30} {:>8} {:>14} {:>20}  {}\n", "what each rule saves", "samples", "SPIR-V in all",
+               "navi21 instructions", "the most of these");
+    for (std::size_t i = 0; i < worths.size(); ++i) {
+        const Worth& worth = worths[i];
+        const std::string most = worth.largest > 0    ? fmt::format("{} ({})", worth.largest, worth.where)
+                                 : worth.samples == 0 ? "nothing here: see its row in opt_test.cpp"
+                                                      : "none";
+        fmt::print("{:<30} {:>8} {:>14} {:>20}  {}\n", opt::all_rules()[i].name, worth.samples, worth.spirv,
+                   worth.gpu, most);
+    }
+}
+
+void print_samples(const target::ShaderLibrary& library) {
+    fmt::print("{:<24} {:>16} {:>22} {:>14} {:>9}\n", "forward fragment shader", "SPIR-V",
+               "navi21 instructions", "VGPRs", "waves");
+    std::vector<Worth> worths(opt::all_rules().size());
+    for (const auto& path : samples()) print_sample(path, library, worths);
+    print_rules(worths);
 }
 
 // ---- against shaders that were written by hand ----
@@ -140,10 +178,10 @@ std::string with_gradients_behind_parallax(std::string text) {
 }
 
 void print_row(const char* what, const Cost& cost, const Cost& hand) {
-    fmt::print("  {:<52} SPIR-V {:>5}, navi21 {:>5} instructions ({:.2f}), {:>3} VGPRs\n", what, cost.spirv,
-               cost.gpu.instructions,
+    fmt::print("  {:<52} SPIR-V {:>5}, navi21 {:>5} instructions ({:.2f}), {:>3} VGPRs, {} waves\n", what,
+               cost.spirv, cost.gpu.instructions,
                static_cast<double>(cost.gpu.instructions) / static_cast<double>(hand.gpu.instructions),
-               cost.gpu.vector_registers);
+               cost.gpu.vector_registers, cost.gpu.waves);
 }
 
 void compare(const std::string& letter, target::ShaderLibrary library) {

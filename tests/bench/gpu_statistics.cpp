@@ -159,6 +159,7 @@ std::optional<GpuStatistics> pipeline_statistics(VkDevice device, VkPipeline pip
         if (name == "Instructions") out.instructions = statistic.value.u64;
         if (name == "Inverse Throughput") out.inverse_throughput = statistic.value.u64;
         if (name == "VGPRs") out.vector_registers = statistic.value.u64;
+        if (name == "Subgroups per SIMD") out.waves = statistic.value.u64;
     }
     return out;
 }

@@ -12,6 +12,7 @@ struct GpuStatistics {
     std::uint64_t instructions = 0;
     std::uint64_t inverse_throughput = 0;  // the compiler's estimate, cycles
     std::uint64_t vector_registers = 0;
+    std::uint64_t waves = 0;  // that a SIMD can hold at once
 };
 
 // A compute shader (entry "main"; one descriptor set: binding 0 and 1 storage buffers, 2 a uniform block,
