@@ -24,4 +24,19 @@ ref::MemoryTexture random_texture(std::mt19937_64& random, glm::ivec2 size) {
     }
 }
 
+ref::MemoryTexture random_texture(std::mt19937_64& random, glm::ivec2 size, ir::TextureEncoding encoding) {
+    using enum ir::TextureEncoding;
+    const bool any_sign = encoding == height || encoding == derivative || encoding == color;
+    ref::MemoryTexture texture = random_texture(random, size);
+    for (auto& level : texture.chain) {
+        for (auto& texel : level.texels) {
+            if (!any_sign) continue;
+            const double alpha = texel.a;
+            texel = {2.0 * texel.r - 1.0, 2.0 * texel.g - 1.0, 5.0 * texel.b - 4.0, 2.0 * texel.a - 1.0};
+            if (encoding == color) texel.a = alpha;
+        }
+    }
+    return texture;
+}
+
 }  // namespace sg::oracle

@@ -33,15 +33,19 @@ Subject make_subject(std::uint64_t index) {
     std::seed_seq sequence{run_seed(), run_seed() >> 32U, index};
     std::mt19937_64 random(sequence);
     Subject out{random_module(random), {}, {}, {}};
-    out.textures = {random_texture(random, {8, 4}), random_texture(random, {5, 7})};
+    const glm::ivec2 sizes[] = {{8, 4}, {5, 7}};
+    for (const ir::Texture& texture : out.made.module.textures)
+        out.textures.push_back(random_texture(random, sizes[out.textures.size() % 2], texture.encoding));
     for (int i = 0; i < 3; ++i) out.pixels.push_back(random_pixel(random));
     return out;
 }
 
 ir::Bindings bindings_of(const Subject& subject) {
-    return {{{.texels = &subject.textures[0]},
-             {.texels = &subject.textures[1], .wrap_s = ir::Sampled::Wrap::mirror}},
-            subject.made.parameters};
+    constexpr ir::Sampled::Wrap kWraps[] = {ir::Sampled::Wrap::repeat, ir::Sampled::Wrap::mirror};
+    ir::Bindings out{{}, subject.made.parameters};
+    for (const ref::MemoryTexture& texels : subject.textures)
+        out.textures.push_back({.texels = &texels, .wrap_s = kWraps[out.textures.size() % 2]});
+    return out;
 }
 
 // The largest component of any derivative or gradient: sums of terms of this size carry its rounding, however

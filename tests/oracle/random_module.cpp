@@ -16,7 +16,7 @@ using ir::ValueId;
 constexpr std::size_t kValues = 200, kMaxDepth = 3;
 constexpr std::size_t kBeforeParallax =
     60;  // of these take screen derivatives, of the others look along rays
-constexpr std::uint32_t kTextures = 2, kSets = 3;
+constexpr std::uint32_t kSets = 3;
 
 class Generator {
 public:
@@ -25,11 +25,11 @@ public:
     RandomModule make() {
         out_.module.name = "random";
         out_.module.textures = {{"xyz", ir::TextureEncoding::tangent_normal},
-                                {"xy", ir::TextureEncoding::tangent_normal_xy}};
-        for (Type type : {Type::Scalar, Type::Vec2, Type::Vec3, Type::Vec4, Type::Color}) {
-            out_.module.parameters.push_back({fmt::format("p{}", out_.module.parameters.size()), type});
-            out_.parameters.push_back(ir::datum_of(type, numbers()));
-        }
+                                {"xy", ir::TextureEncoding::tangent_normal_xy},
+                                {"height", ir::TextureEncoding::height},
+                                {"mask", ir::TextureEncoding::mask},
+                                {"color", ir::TextureEncoding::color}};
+        for (Type type : {Type::Scalar, Type::Vec2, Type::Vec3, Type::Vec4, Type::Color}) parameter(type);
         out_.module.parameters.push_back({"projector", Type::Projector});
         out_.parameters.push_back(ir::datum_of(Type::Projector, affine()));
         derive();
@@ -57,13 +57,29 @@ private:
         return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
     }
 
-    // What the host computed already before an optimiser came.
+    // One in three may be any number; the others keep to a range, above 0, from 0, or across it.
+    void parameter(Type type) {
+        constexpr std::array<double, 2> kRanges[] = {{0.25, 3}, {0.25, 3}, {0, 2}, {-2, 2}};
+        ir::Parameter parameter{fmt::format("p{}", out_.module.parameters.size()), type};
+        std::array<double, 4> value = numbers();
+        if (below(3) != 0) {
+            parameter.range = kRanges[below(std::size(kRanges))];
+            std::uniform_real_distribution<double> within((*parameter.range)[0], (*parameter.range)[1]);
+            for (double& component : value) component = within(random_);
+        }
+        out_.module.parameters.push_back(std::move(parameter));
+        out_.parameters.push_back(ir::datum_of(type, value));
+    }
+
+    // What the host computed already before an optimiser came; half of what is above 0 is known to be.
     void derive() {
         ir::Module& module = out_.module;
         module.host = {{.op = Op::parameter, .type = Type::Scalar},
                        {.op = Op::constant, .type = Type::Scalar, .number = {number()}},
                        {.op = Op::multiply, .type = Type::Scalar, .operands = {ValueId{0}, ValueId{1}}}};
-        module.derived = {{"first", Type::Scalar, {2}}, {"second", Type::Scalar, {0}}};
+        const double second = std::get<double>(out_.parameters[0]), first = second * module.host[1].number[0];
+        module.derived = {{"first", Type::Scalar, {2}, first > 0 && below(2) == 0},
+                          {"second", Type::Scalar, {0}, second > 0 && below(2) == 0}};
     }
 
     // One map on vertex tangents by itself, where there is one: chance seldom brings its parts together.
@@ -201,7 +217,7 @@ private:
                 value.index = static_cast<std::uint32_t>(below(kSets));
                 break;
             case ir::Attribute::Texture:
-                value.index = static_cast<std::uint32_t>(below(kTextures));
+                value.index = static_cast<std::uint32_t>(below(out_.module.textures.size()));
                 break;
             case ir::Attribute::Parameter:
                 value.index = static_cast<std::uint32_t>(below(out_.module.parameters.size()));
