@@ -318,7 +318,8 @@ const LayerKind& decal() {
     static const LayerKind kRow{
         .name = "decal",
         .doc =
-            "a map thrown into space by a projector; strength is a factor on the slope. What it covers "
+            "a map thrown into space by a projector; strength is a factor on the slope against the units of "
+            "the space: in object space an instance that is scaled by s has 1/s of the slope. What it covers "
             "(edge, angle_fade, cutout) is a "
             "factor on its mask: \"blend\": \"add\" adds it to what lies below, \"mix\" replaces that",
         .fields = joined({{image("the map", {tangent_normal, tangent_normal_xy, derivative})},

@@ -107,7 +107,8 @@ const LayerKind& triplanar() {
         LayerKind row{.name = "triplanar",
                       .doc =
                           "images projected along x, y and z and weighted by the normal; strength is a "
-                          "factor on the slope",
+                          "factor on the slope against the units of the space: in object space an instance "
+                          "that is scaled by s has 1/s of the slope",
                       .fields = common("the map; of all planes, or of y where the others are given"),
                       .lower = lower_triplanar};
         row.fields.push_back({.name = "exponent",
@@ -131,7 +132,9 @@ const LayerKind& triplanar() {
 const LayerKind& planar() {
     static const LayerKind kRow = [] {
         LayerKind row{.name = "planar",
-                      .doc = "an image projected along one axis; strength is a factor on the slope",
+                      .doc = "an image projected along one axis; strength is a factor on the slope "
+                             "against the units of the space: in object space an instance that is scaled by s "
+                             "has 1/s of the slope",
                       .fields = common("the map"),
                       .lower = lower_planar};
         row.fields.push_back({.name = "axis",
