@@ -39,7 +39,7 @@ std::string values(const Field& field) {
         case FieldKind::pair:
             return fmt::format("one or two numbers, {}, `$parameter`", bounds);
         case FieldKind::color:
-            return fmt::format("three numbers, {}, `$parameter`, `@node`, a node", bounds);
+            return fmt::format("one number (a grey) or three, {}, `$parameter`, `@node`, a node", bounds);
         case FieldKind::vector:
             return fmt::format("three numbers, {}", bounds);
         case FieldKind::matrix:

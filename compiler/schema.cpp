@@ -73,8 +73,8 @@ Json value_of(const Field& field) {
             return {{"anyOf", {bounded, numbers(2, bounded), reference("parameter_reference")}}};
         case FieldKind::color:
             return {{"anyOf",
-                     {numbers(3, bounded), reference("parameter_reference"), reference("node_reference"),
-                      reference("node")}}};
+                     {bounded, numbers(3, bounded), reference("parameter_reference"),
+                      reference("node_reference"), reference("node")}}};
         case FieldKind::vector:
             return numbers(3, bounded);
         case FieldKind::matrix:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "base/ice.hpp"
 
@@ -18,16 +19,17 @@ constexpr auto kCodes = std::to_array<CodeInfo>({
 #undef SG_DIAG
 });
 
+// Letters that are put in, left out, exchanged for another, or swapped with their neighbour.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
+    std::vector<std::size_t> earlier, last(b.size() + 1), row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
+        earlier = std::exchange(last, row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            std::size_t substitution = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({substitution, row[j] + 1, row[j - 1] + 1});
+            row[j] = std::min({last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), last[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], earlier[j - 2] + 1);
         }
     }
     return row[b.size()];
@@ -72,6 +74,14 @@ std::string caret_block(const Place& place) {
     std::size_t width =
         std::max<std::size_t>(1, code_points(line.substr(from, std::min(to, shown_end) - from)));
     return fmt::format("{}\n{}{}\n", shown, std::string(indent, ' '), std::string(width, '^'));
+}
+
+// Where in the document, and what mends it.
+std::string mend_line(const Diagnostic& d) {
+    constexpr std::size_t kLongest = 240;
+    const std::string_view mend = code_info(d.code).mend;
+    if (d.place.pointer.empty()) return fmt::format("    {}\n", mend);
+    return fmt::format("    at {}: {}\n", printable(d.place.pointer, kLongest), mend);
 }
 
 std::string where(const Place& place) {
@@ -178,7 +188,7 @@ std::string render(const Diagnostic& d, DiagFormat format, bool color) {
                              : fmt::format("{}:", word);
     std::string out =
         fmt::format("{}{} {} [SG{}]\n", where(d.place), head, d.message, static_cast<int>(d.code));
-    if (d.place.source) out += caret_block(d.place);
+    if (d.place.source) out += caret_block(d.place) + mend_line(d);
     for (const Note& note : d.notes) {
         out += fmt::format("{}note: {}\n", where(note.place), note.text);
         if (note.place.source) out += caret_block(note.place);
@@ -193,11 +203,14 @@ std::string render(const Diags& diags, DiagFormat format, bool color) {
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
-    std::size_t best_distance = std::max<std::size_t>(1, (word.size() + 2) / 3) + 1;
+    std::size_t best_distance = (word.size() < 5 ? 1 : (word.size() + 2) / 3) + 1;
     std::string_view best;
     for (std::string_view candidate : candidates) {
-        std::size_t distance = word.size() > 200 ? best_distance : edit_distance(word, candidate);
-        if (distance < best_distance) {
+        const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
+        if (word.size() > 200 || longer - shorter >= best_distance) continue;
+        std::size_t distance = edit_distance(word, candidate);
+        // A word of which half is another is another word.
+        if (distance < best_distance && 2 * distance < longer) {
             best_distance = distance;
             best = candidate;
         }
@@ -219,10 +232,10 @@ std::string one_of(std::span<const std::string_view> words) {
     return out;
 }
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t longest) {
     std::string out;
     for (char c : text) {
-        if (out.size() >= 60 && (static_cast<unsigned char>(c) & 0xC0u) != 0x80u) return out + "...";
+        if (out.size() >= longest && (static_cast<unsigned char>(c) & 0xC0u) != 0x80u) return out + "...";
         if (static_cast<unsigned char>(c) < 0x20u || c == 0x7F) {
             out += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
         } else {

@@ -22,7 +22,7 @@ enum class FieldKind {
     integer,     // a whole number
     number,      // a number, "$parameter", "@node" or a node written in place
     pair,        // a number (for both), two numbers, or "$parameter" of type float or vec2
-    color,       // three numbers, "$parameter" of type color or vec3, "@node" or a node
+    color,       // a number (a grey), three numbers, "$parameter" of type color or vec3, "@node" or a node
     vector,      // three numbers
     matrix,      // "$parameter" of type mat4
     entry,       // the id of an earlier entry of bump

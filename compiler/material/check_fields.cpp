@@ -26,6 +26,10 @@ std::string hint(std::string_view name, const std::vector<Decl>& decls, std::str
                          : fmt::format(", expected {}", one_of(names));
 }
 
+std::string other_sign(char sign, std::string_view name) {
+    return fmt::format(", did you mean \"{}{}\"?", sign, printable(name));
+}
+
 std::span<const ParameterType> types_for(FieldKind kind) {
     using enum ParameterType;
     static constexpr ParameterType kNumber[] = {scalar, integer, boolean}, kPair[] = {scalar, vec2, integer},
@@ -84,7 +88,8 @@ const ParameterDecl* Checker::find_parameter(const std::string& name, const At& 
     if (found == parameters_by_name.end()) {
         error(Code::unknown_parameter, at,
               fmt::format("unknown parameter '{}'{}", printable(name),
-                          hint(name, in.parameters, "parameters")));
+                          nodes_by_name.contains(name) ? other_sign('@', name)
+                                                       : hint(name, in.parameters, "parameters")));
         return nullptr;
     }
     const ParameterDecl& decl = in.parameters[found->second];
@@ -124,6 +129,33 @@ void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range li
           {note("it is declared here", decl.name.at)});
 }
 
+// A node of one number, or colour, that stands in place of it.
+void Checker::constant_limits(const NodeDecl& decl, Range limits) {
+    if (!decl.kind || !decl.kind->name.starts_with("constant")) return;
+    for (const FieldEntry& entry : decl.entries) {
+        for (double x : entry.expression.numbers) {
+            if (x >= limits.minimum && x <= limits.maximum) continue;
+            error(Code::out_of_range, entry.at,
+                  fmt::format("'{}' is {}, expected {} to {} here", decl.kind->fields[entry.field].name, x,
+                              limits.minimum, limits.maximum));
+            break;
+        }
+    }
+}
+
+// It was told that its texture holds no colour.
+bool Checker::misread(const NodeDecl& decl) const {
+    for (const FieldEntry& entry : decl.entries) {
+        const Field& row = decl.kind->fields[entry.field];
+        auto texture = textures_by_name.find(entry.word);
+        if (row.kind != FieldKind::texture || texture == textures_by_name.end()) continue;
+        auto encoding = in.textures[texture->second].encoding;
+        if (std::find(row.encodings.begin(), row.encodings.end(), encoding) == row.encodings.end())
+            return true;
+    }
+    return false;
+}
+
 void Checker::expression(const Expression& written, FieldKind kind, Range limits, FieldValue& value) {
     std::size_t node = written.node;
     switch (written.kind) {
@@ -141,7 +173,9 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
             if (named == nodes_by_name.end()) {
                 error(Code::unknown_node, written.at,
                       fmt::format("unknown node '{}'{}", printable(written.name),
-                                  hint(written.name, in.nodes, "nodes")));
+                                  parameters_by_name.contains(written.name)
+                                      ? other_sign('$', written.name)
+                                      : hint(written.name, in.nodes, "nodes")));
                 return;
             }
             node = named->second;
@@ -152,7 +186,8 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
     }
     value.node = {static_cast<std::uint32_t>(node)};
     const layers::NodeKind* found = in.nodes[node].kind;
-    if (found && found->result == ir::Type::Color && kind == FieldKind::number) {
+    if (written.kind == Expression::Kind::node) constant_limits(in.nodes[node], limits);
+    if (found && found->result == ir::Type::Color && kind == FieldKind::number && !misread(in.nodes[node])) {
         std::string who = written.kind == Expression::Kind::node_name
                               ? fmt::format("node '{}'", printable(written.name))
                               : fmt::format("'{}'", found->name);
@@ -223,9 +258,16 @@ std::vector<FieldValue> Checker::values(std::string_view owner, std::span<const 
             std::vector<std::string_view> expected;
             for (ir::TextureEncoding encoding : row.encodings)
                 expected.push_back(ir::encoding_name(encoding));
+            const bool holds_number =
+                decl.encoding == ir::TextureEncoding::mask || decl.encoding == ir::TextureEncoding::height;
+            const bool colors_only =
+                row.encodings == std::vector<ir::TextureEncoding>{ir::TextureEncoding::color};
             error(Code::wrong_encoding, entry.at,
-                  fmt::format("{} cannot read texture '{}' of encoding '{}', expected {}", owner,
-                              printable(entry.word), ir::encoding_name(decl.encoding), one_of(expected)),
+                  fmt::format("{} cannot read texture '{}' of encoding '{}', expected {}{}", owner,
+                              printable(entry.word), ir::encoding_name(decl.encoding), one_of(expected),
+                              holds_number && colors_only
+                                  ? ", or add \"channel\": \"r\" (without an \"op\") to read a number of it"
+                                  : ""),
                   {note("it is declared here", decl.name.at)});
         }
         value.index = texture_index[*index];

@@ -152,7 +152,7 @@ void Checker::color_space(const TextureDecl& decl, const SourcePtr& source, std:
 
 void Checker::textures() {
     std::vector<bool> used = used_textures();
-    std::set<std::pair<const Source*, std::uint32_t>> told;
+    std::set<std::pair<const Source*, std::uint32_t>> told, missing;  // by where the file is named
     texture_index.assign(in.textures.size(), 0);
     for (std::size_t i = 0; i < in.textures.size(); ++i) {
         const TextureDecl& decl = in.textures[i];
@@ -168,13 +168,16 @@ void Checker::textures() {
         swizzle(decl, texture.facts);
         if (!decl.file.value.empty()) {
             const SourcePtr& source = decl.file_source ? decl.file_source : in.source;
+            const std::pair named{static_cast<const Source*>(source.get()), decl.file.at.span.begin};
+            if (missing.contains(named)) continue;  // the texture of a parameter; the material is refused
             if (auto found = find_file(texture.file, decl.file.at, source, roots, files, diags)) {
                 texture.hash = content_hash(found->bytes);
                 // The texture of a parameter may be the one that is declared: what it is is told once.
-                if (used[i] && told.insert({source.get(), decl.file.at.span.begin}).second)
-                    color_space(decl, source, found->bytes);
+                if (used[i] && told.insert(named).second) color_space(decl, source, found->bytes);
+            } else {
+                missing.insert(named);
             }
-        } else if (!decl.file.at.pointer.empty()) {
+        } else if (!decl.file.at.pointer.empty() && decl.parameter.empty()) {
             error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
         }
         texture_index[i] = static_cast<std::uint32_t>(out.textures.size());

@@ -51,6 +51,8 @@ struct Checker {
     [[nodiscard]] ir::ParameterId id_of(const ParameterDecl& decl) const;
     void expression(const Expression& written, layers::FieldKind kind, Range limits,
                     layers::FieldValue& value);
+    void constant_limits(const NodeDecl& decl, Range limits);
+    [[nodiscard]] bool misread(const NodeDecl& decl) const;
     // What a parameter is by default, and may be by its range, must be fit for the use.
     void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
     // The number of an entry of bump that stands before the current one.

@@ -91,6 +91,7 @@ private:
 // the file.
 void texture_parameters(Material& material, Diags& diags) {
     const std::size_t declared = material.textures.size();
+    material.textures.reserve(declared + material.parameters.size());  // `names` must stay where they are
     std::vector<std::string_view> names;
     for (const TextureDecl& texture : material.textures) names.push_back(texture.name.value);
     for (const ParameterDecl& p : material.parameters) {

@@ -44,11 +44,25 @@ const Value* ObjectReader::get(std::string_view key, bool required) {
     return value;
 }
 
+namespace {
+
+// What was found; of a reference that may not stand there, that it may not.
+std::string found_there(const Value& value, bool parameters = false, bool nodes = false) {
+    const bool text = value.kind == Kind::string;
+    if (text && !parameters && value.string.starts_with('$'))
+        return fmt::format("\"{}\" (this takes no parameter)", printable(value.string));
+    if (text && !nodes && value.string.starts_with('@'))
+        return fmt::format("\"{}\" (this takes no node)", printable(value.string));
+    return std::string(kind_name(value.kind));
+}
+
+}  // namespace
+
 const Value* ObjectReader::expect(std::string_view key, Kind kind, bool required) {
     const Value* value = get(key, required);
     if (!value || value->kind == kind) return value;
     error(Code::wrong_type, at(key, *value),
-          fmt::format("expected {} for '{}', found {}", kind_name(kind), key, kind_name(value->kind)));
+          fmt::format("expected {} for '{}', found {}", kind_name(kind), key, found_there(*value)));
     return nullptr;
 }
 
@@ -123,7 +137,7 @@ std::optional<std::uint32_t> ObjectReader::integer(std::string_view key, Range r
     if (!value) return std::nullopt;
     if (value->kind != Kind::number) {
         error(Code::wrong_type, at(key, *value),
-              fmt::format("expected {} for '{}', found {}", expected, key, kind_name(value->kind)));
+              fmt::format("expected {} for '{}', found {}", expected, key, found_there(*value)));
         return std::nullopt;
     }
     if (value->number != std::floor(value->number)) {
@@ -148,8 +162,8 @@ std::optional<std::size_t> ObjectReader::choice(std::string_view key,
     auto it = std::find(choices.begin(), choices.end(), value->string);
     if (it != choices.end()) return static_cast<std::size_t>(it - choices.begin());
     error(Code::unknown_choice, at(key, *value),
-          fmt::format("unknown value '{}' for '{}', expected {}", printable(value->string), key,
-                      one_of(choices)));
+          fmt::format("unknown value '{}' for '{}', expected {}{}", printable(value->string), key,
+                      one_of(choices), did_you_mean(value->string, choices)));
     return std::nullopt;
 }
 
@@ -175,13 +189,18 @@ std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, s
                    std::all_of(value->items.begin(), value->items.end(),
                                [](const Value& v) { return v.kind == Kind::number; });
     if (!numeric) {
-        std::string expected =
-            count == 1 ? "a number"
-                       : fmt::format("{}an array of {} numbers", spread ? "a number or " : "", count);
+        std::string expected = count == 1
+                                   ? "a number"
+                                   : fmt::format("{}an array of {} numbers",
+                                                 !spread                                      ? ""
+                                                 : others.find(',') == std::string_view::npos ? "a number or "
+                                                                                              : "a number, ",
+                                                 count);
         std::string found = value->kind == Kind::array && count > 1
                                 ? fmt::format("an array of {} values", value->items.size())
-                                : std::string(kind_name(value->kind));
-        if (value->kind == Kind::array && value->items.size() == count)
+                                : found_there(*value, others.find("$parameter") != others.npos,
+                                              others.find("@node") != others.npos);
+        if (value->kind == Kind::array && count > 1 && value->items.size() == count)
             found = "an array that holds other things";
         error(Code::wrong_type, at(key, *value),
               fmt::format("expected {}{}{} for '{}', found {}", expected,

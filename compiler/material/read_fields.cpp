@@ -31,7 +31,13 @@ std::optional<Expression> Reader::expression(ObjectReader& reader, std::string_v
         found.kind = Expression::Kind::node;
         found.node = out.nodes.size();
         out.nodes.emplace_back();
-        node(*value, found.at.pointer, found.node);
+        const bool unchannelled = count == 1 && !value->find("op") && !value->find("channel");
+        if (unchannelled && value->find("texture"))
+            reader.error(Code::node_type, found.at,
+                         fmt::format("the colour of a texture for '{}', expected a number: add \"channel\": "
+                                     "\"r\", \"g\", \"b\" or \"a\"",
+                                     key));
+        node(*value, found.at.pointer, found.node, count == 1);
         return found;
     }
     auto numbers = reader.numbers(key, count, range, spread,
@@ -98,7 +104,7 @@ std::optional<FieldEntry> Reader::field(ObjectReader& reader, const Field& row, 
         case FieldKind::pair:
             return take(expression(reader, row.name, 2, range, true, false), entry.expression);
         case FieldKind::color:
-            return take(expression(reader, row.name, 3, range, false, true), entry.expression);
+            return take(expression(reader, row.name, 3, range, true, true), entry.expression);
         case FieldKind::range:
             return take(reader.numbers(row.name, 2, range, false, ""), entry.expression.numbers);
         case FieldKind::matrix:

@@ -134,7 +134,7 @@ void Reader::stage(const Value& value, const std::string& pointer) {
 }
 
 // A node without "op" that names a texture is short for reading it: its channel, or its colour.
-void Reader::node(const Value& value, const std::string& pointer, std::size_t index) {
+void Reader::node(const Value& value, const std::string& pointer, std::size_t index, bool number) {
     out.nodes[index].at = {value.span, pointer};
     const Value* op = value.kind == json::Kind::object ? value.find("op") : nullptr;
     const NodeKind* kind = nullptr;
@@ -150,7 +150,7 @@ void Reader::node(const Value& value, const std::string& pointer, std::size_t in
             return;
         }
     } else if (!op && value.kind == json::Kind::object && value.find("texture")) {
-        kind = layers::find_node_kind(value.find("channel") ? "texture" : "texture_color");
+        kind = layers::find_node_kind(number || value.find("channel") ? "texture" : "texture_color");
     }
     std::vector<std::string_view> keys = {"op"};
     if (kind) {
@@ -175,18 +175,35 @@ bool Reader::constant_node(ObjectReader& nodes, const json::Member& member, std:
     const Value& value = member.value;
     bool reference = value.kind == json::Kind::string && value.string.starts_with('$');
     bool color = value.kind == json::Kind::array;
-    if (!reference && !color && value.kind != json::Kind::number) return false;
+    if (value.kind == json::Kind::object) return false;
+    if (!reference && !color && value.kind != json::Kind::number) {
+        nodes.error(
+            Code::wrong_type, nodes.at(member.key, value),
+            fmt::format("expected a number, an array of 3 numbers, a \"$parameter\" or a node for '{}', "
+                        "found {}",
+                        printable(member.key),
+                        value.kind == json::Kind::string && value.string.starts_with('@')
+                            ? fmt::format("\"{}\" (a node needs no second name)", printable(value.string))
+                            : std::string(json::kind_name(value.kind))));
+        return true;
+    }
     for (const ParameterDecl& p : out.parameters) {
         if (reference && p.name.value == value.string.substr(1))
             color = p.type == ParameterType::color || p.type == ParameterType::vec3;
     }
     const NodeKind* kind = layers::find_node_kind(color ? "constant_color" : "constant");
     const Field& field = kind->fields.front();
-    auto found = expression(nodes, member.key, color ? 3 : 1, {field.minimum, field.maximum}, false, true);
-    out.nodes[index].at = nodes.at(member.key, value);
-    if (!found) return true;
-    FieldEntry entry{.field = 0, .at = found->at};
-    entry.expression = std::move(*found);
+    FieldEntry entry{.field = 0, .at = nodes.at(member.key, value)};
+    out.nodes[index].at = entry.expression.at = entry.at;
+    if (reference) {
+        entry.expression.kind = Expression::Kind::parameter;
+        entry.expression.name = value.string.substr(1);
+    } else if (auto numbers = nodes.numbers(member.key, color ? 3 : 1, {field.minimum, field.maximum}, false,
+                                            "a number, a \"$parameter\" or a node")) {
+        entry.expression.numbers = std::move(*numbers);
+    } else {
+        return true;
+    }
     out.nodes[index].kind = kind;
     out.nodes[index].entries.push_back(std::move(entry));
     return true;

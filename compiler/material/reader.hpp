@@ -39,7 +39,8 @@ struct Reader {
     ParallaxDecl parallax(const json::Value& value, const std::string& pointer);
     void named_nodes(ObjectReader& reader);
     bool constant_node(ObjectReader& nodes, const json::Member& member, std::size_t index);
-    void node(const json::Value& value, const std::string& pointer, std::size_t index);
+    // `number`: one is wanted, so that a texture without "op" is read for a channel.
+    void node(const json::Value& value, const std::string& pointer, std::size_t index, bool number = false);
 
     // read_fields.cpp
     std::vector<FieldEntry> entries(ObjectReader& reader, std::span<const layers::Field> fields);

@@ -99,7 +99,8 @@ TEST_F(Cli, BadInputWritesNothingAndExitsWith1) {
     EXPECT_EQ(out.text,
               "bad.json:1:17: error: unknown key 'bmup' in a material, did you mean 'bump'? [SG1101]\n"
               "{ \"version\": 1, \"bmup\": [] }\n"
-              "                ^^^^^^\n");
+              "                ^^^^^^\n"
+              "    at /bmup: remove the key or use the name that is suggested\n");
     EXPECT_FALSE(fs::exists(root_ / "one/out"));
 }
 
@@ -191,7 +192,8 @@ TEST_F(Cli, StandardInput) {
     EXPECT_TRUE(fs::exists(root_ / "one/out/wall.json"));
     EXPECT_EQ(run(root_ / "one", "check - --color never < /dev/null").text,
               "stdin:1:1: error: syntax error while parsing value - unexpected end of input; expected '[', "
-              "'{', or a literal [SG1001]\n\n^\n");
+              "'{', or a literal [SG1001]\n\n^\n"
+              "    fix the text at the place that the caret marks\n");
 }
 
 TEST_F(Cli, FurtherRootsAndJsonMessages) {

@@ -42,10 +42,14 @@ TEST(Budget, OfTheMaterial) {
               "wall.json:4:56: error: the forward shader takes 2 texture reads, 'budget' allows 1 [SG1402]\n"
               "  \"budget\": { \"instructions\": 100000, \"texture_reads\": 1, \"interpolants\": 7 },\n"
               "                                                       ^\n"
+              "    at /budget/texture_reads: drop or simplify a layer (`surfgradc explain` tells what each "
+              "costs), or allow more\n"
               "wall.json:4:75: error: the forward shader takes 8 numbers from the vertex stage, 'budget' "
               "allows 7 [SG1402]\n"
               "  \"budget\": { \"instructions\": 100000, \"texture_reads\": 1, \"interpolants\": 7 },\n"
-              "                                                                          ^\n");
+              "                                                                          ^\n"
+              "    at /budget/interpolants: drop or simplify a layer (`surfgradc explain` tells what each "
+              "costs), or allow more\n");
 }
 
 TEST(Budget, OfTheMaterialThatIsExtended) {
@@ -63,7 +67,9 @@ TEST(Budget, OfTheMaterialThatIsExtended) {
         "base.json:2:31: error: the forward shader takes 6 numbers from the vertex stage, 'budget' allows 0 "
         "[SG1402]\n"
         "  \"budget\": { \"interpolants\": 0 } }\n"
-        "                              ^\n");
+        "                              ^\n"
+        "    at /budget/interpolants: drop or simplify a layer (`surfgradc explain` tells what each costs), "
+        "or allow more\n");
 }
 
 TEST(Budget, ThatIsJustMet) {

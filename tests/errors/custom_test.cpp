@@ -159,6 +159,7 @@ TEST(CustomGlsl, TypesOfTheLibraryNeedTheirFile) {
         R"(a.glsl:2:5: error: 'SgBasis' : undeclared identifier; #include "surfgrad/tbn.glsl" declares it [SG1601]
     SgBasis basis;
     ^^^^^^^
+    fix the text at the place that the caret marks; the words are glslang's
 )");
     EXPECT_TRUE(compile(json, {{"a.glsl", "#include \"surfgrad/tbn.glsl\"\n" + text}}).compiled);
 }

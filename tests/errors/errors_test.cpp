@@ -62,18 +62,40 @@ TEST(Errors, WholeMessages) {
     }
 }
 
+// A number is a grey wherever a colour is wanted: the surface, and what colours are computed from.
+TEST(Errors, ANumberIsAGrey) {
+    auto module = [](const std::string& one, const std::string& two) {
+        MemoryFiles files;
+        const std::string text = R"({ "version": 1, "surface": { "base_color": )" + one +
+                                 R"(, "emission": { "op": "add_color", "a": [0.1, 0.2, 0.3], "b": )" + two +
+                                 " } } }";
+        CompileRequest request{.source = std::make_shared<Source>(Source{"wall.json", text})};
+        request.entries = {"forward"};
+        Diags diags;
+        auto compiled = compile_material(request, files, kLibrary, diags);
+        EXPECT_TRUE(compiled) << render(diags);
+        return compiled ? compiled->ir : "";
+    };
+    EXPECT_NE(module("0.4", "0.5"), "");
+    EXPECT_EQ(module("0.4", "0.5"), module("[0.4, 0.4, 0.4]", "[0.5, 0.5, 0.5]"));
+    EXPECT_NE(module("0.4", "0.5"), module("[0.4, 0.4, 0.4]", "[0.5, 0.5, 0.6]"));
+}
+
 TEST(Errors, TextThatIsNotUtf8) {
     EXPECT_EQ(check("wall.json", "{ \"version\": 1, \"name\": \"\xFF\" }"),
               "wall.json:1:26: error: syntax error while parsing value - invalid string: ill-formed UTF-8 "
               "byte [SG1004]\n"
               "{ \"version\": 1, \"name\": \"\xFF\" }\n"
-              "                         ^\n");
+              "                         ^\n"
+              "    save the file as UTF-8\n");
 }
 
 TEST(Errors, DepthIsRefused) {
     EXPECT_EQ(check("deep.json", std::string(200, '[')),
               "deep.json:1:129: error: nested deeper than 128 levels [SG1002]\n" + std::string(120, '[') +
-                  "\n" + std::string(60, ' ') + "^\n");
+                  "\n" + std::string(60, ' ') +
+                  "^\n"
+                  "    flatten or split the document\n");
 }
 
 TEST(Errors, FileThatCannotBeRead) {
@@ -95,7 +117,8 @@ TEST(Errors, FileThatCannotBeRead) {
     EXPECT_EQ(render(diags),
               "wall.json:1:38: error: cannot read 'a.png': Permission denied [SG1303]\n"
               "{\"version\":1,\"textures\":{\"a\":{\"file\":\"a.png\",\"encoding\":\"tangent_normal\"}}}\n"
-              "                                     ^^^^^^^\n");
+              "                                     ^^^^^^^\n"
+              "    at /textures/a/file: check its permissions\n");
     EXPECT_EQ(diags.exit_code(), 4);
     EXPECT_FALSE(write_or_report(files, {}, diags));
     EXPECT_EQ(render(diags.all().back()), "error: never [SG1304]\n");
@@ -145,7 +168,9 @@ TEST(Errors, APngThatSaysOtherwiseThanItsTextureIsWarnedOf) {
         "'map' of encoding 'tangent_normal' is read as linear numbers, expected a file without that chunk "
         "[SG1215]\n"
         "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"tangent_normal\" } },\n"
-        "                                 ^^^^^^^\n");
+        "                                 ^^^^^^^\n"
+        "    at /textures/map/file: export it without that chunk, or as what the texture is declared to "
+        "be\n");
     EXPECT_EQ(
         check_texture(R"("encoding": "height")", png(gamma_chunk(45455)),
                       R"("kind": "height_map", "texture": "map")"),
@@ -153,7 +178,9 @@ TEST(Errors, APngThatSaysOtherwiseThanItsTextureIsWarnedOf) {
         "texture 'map' of encoding 'height' is read as linear numbers, expected a file without that chunk "
         "[SG1215]\n"
         "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"height\" } },\n"
-        "                                 ^^^^^^^\n");
+        "                                 ^^^^^^^\n"
+        "    at /textures/map/file: export it without that chunk, or as what the texture is declared to "
+        "be\n");
     const std::string node = R"("kind": "noise", "mask": { "texture": "map", "channel": "r" })";
     EXPECT_EQ(
         check_texture(R"("encoding": "color")", png(gamma_chunk(100000)), node),
@@ -161,7 +188,9 @@ TEST(Errors, APngThatSaysOtherwiseThanItsTextureIsWarnedOf) {
         "texture 'map' of encoding 'color' is read as sRGB colours, expected \"color_space\": \"linear\" or "
         "a file without that chunk [SG1215]\n"
         "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"color\" } },\n"
-        "                                 ^^^^^^^\n");
+        "                                 ^^^^^^^\n"
+        "    at /textures/map/file: export it without that chunk, or as what the texture is declared to "
+        "be\n");
 }
 
 TEST(Errors, APngThatSaysWhatItsTextureIsOrNothingIsNotWarnedOf) {
@@ -205,7 +234,8 @@ TEST(Errors, APngOfAParameterIsWarnedOfOnce) {
         "'tangent_normal' is read "
         "as linear numbers, expected a file without that chunk [SG1215]\n"
         "  \"textures\": { \"map\": { \"file\": \"a.png\", \"encoding\": \"tangent_normal\" } },\n"
-        "                                 ^^^^^^^\n";
+        "                                 ^^^^^^^\n"
+        "    at /textures/map/file: export it without that chunk, or as what the texture is declared to be\n";
     EXPECT_EQ(check_instance(base), "wall.json:2:34: warning: 'a.png'" + said);
     EXPECT_EQ(
         check_instance(R"({ "version": 1, "extends": "base.json", "parameters": { "t": "b.png" } })"),
@@ -215,7 +245,8 @@ TEST(Errors, APngOfAParameterIsWarnedOfOnce) {
             "'$t' of encoding 'tangent_normal' is read as linear numbers, expected a file without that chunk "
             "[SG1215]\n"
             "{ \"version\": 1, \"extends\": \"base.json\", \"parameters\": { \"t\": \"b.png\" } }\n"
-            "                                                             ^^^^^^^\n");
+            "                                                             ^^^^^^^\n"
+            "    at /parameters/t: export it without that chunk, or as what the texture is declared to be\n");
 }
 
 // Damaged versions of a good material: an answer or an error, never a crash, and text never slips through.

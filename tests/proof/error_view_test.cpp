@@ -134,7 +134,9 @@ TEST_F(ErrorView, SaysWhatItCannotJudge) {
               "");
     expect("out/noise.json --view error --size 32", 1,
            "noise.ir:2:1: error: unknown operation 'nothing' [SG2112]\n%0 = nothing : "
-           "Scalar\n^^^^^^^^^^^^^^^^^^^^^\n");
+           "Scalar\n^^^^^^^^^^^^^^^^^^^^^\n"
+           "    compile the material again with --emit ir; a text of your own: give the operation what it "
+           "takes\n");
 }
 
 TEST_F(ErrorView, ComparesMaterialsArtefactsAndPictures) {

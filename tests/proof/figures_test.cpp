@@ -172,7 +172,8 @@ TEST_F(GalleryFaults, AClaimAboutNoPixelFails) {
     EXPECT_EQ(
         text.substr(std::min(text.find("level.figure.json:"), text.size())),
         "level.figure.json:54:5: error: the claim does not hold: 2 x 2 derivatives: median 0 degrees, below "
-        "0.58; of 0 pixels tilted by 90 degrees or more [SG2111]\n    {\n    ^\n");
+        "0.58; of 0 pixels tilted by 90 degrees or more [SG2111]\n    {\n    ^\n"
+        "    look at the map of angles; mend the material or the claim\n");
 }
 
 TEST_F(GalleryFaults, OfTheCommandLine) {

@@ -28,7 +28,8 @@ TEST(Diag, PointsWithACaretUnderEachCharacter) {
     EXPECT_EQ(render(diags),
               "a.json:2:9: error: no such kind [SG1105]\n"
               "  \"k\u00e9\": \"bad\" }\n"
-              "        ^^^^^\n");
+              "        ^^^^^\n"
+              "    at /k: use a kind from `surfgradc kinds`\n");
 }
 
 TEST(Diag, CutsLongLinesAroundThePlace) {
@@ -37,13 +38,17 @@ TEST(Diag, CutsLongLinesAroundThePlace) {
     diags.error(Code::json_syntax, {source(text), {500, 501}, ""}, "here");
     std::string out = render(diags);
     EXPECT_EQ(out, "a.json:1:501: error: here [SG1001]\n" + std::string(60, 'a') + "X" +
-                       std::string(59, 'b') + "\n" + std::string(60, ' ') + "^\n");
+                       std::string(59, 'b') + "\n" + std::string(60, ' ') +
+                       "^\n"
+                       "    fix the text at the place that the caret marks\n");
 }
 
 TEST(Diag, TabsAndControlCharactersDoNotMoveTheCaret) {
     Diags diags;
     diags.error(Code::json_syntax, {source("\t\x01x"), {2, 3}, ""}, "here");
-    EXPECT_EQ(render(diags), "a.json:1:3: error: here [SG1001]\n  x\n  ^\n");
+    EXPECT_EQ(render(diags),
+              "a.json:1:3: error: here [SG1001]\n  x\n  ^\n"
+              "    fix the text at the place that the caret marks\n");
 }
 
 TEST(Diag, JsonFormIsOneObjectALine) {
@@ -81,6 +86,12 @@ TEST(Diag, NearNames) {
     const std::string_view names[] = {"normal_map", "noise", "decal"};
     EXPECT_EQ(did_you_mean("normal_mpa", names), ", did you mean 'normal_map'?");
     EXPECT_EQ(did_you_mean("zebra", names), "");
+    const std::string_view shorts[] = {"id", "a", "uv", "mask", "kind"};
+    EXPECT_EQ(did_you_mean("knid", shorts), ", did you mean 'kind'?");
+    EXPECT_EQ(did_you_mean("masks", shorts), ", did you mean 'mask'?");
+    for (const std::string_view word : {"y", "ab", "king_of", "und", "set"})
+        EXPECT_EQ(did_you_mean(word, shorts), "") << word;
+    EXPECT_EQ(did_you_mean("kind", std::span(shorts).first(4)), "");
     EXPECT_EQ(one_of(names), "'normal_map', 'noise' or 'decal'");
     EXPECT_EQ(printable("a\nb"), "a\\x0ab");
 }

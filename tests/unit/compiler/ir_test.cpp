@@ -134,16 +134,24 @@ TEST(Ir, ReadingSaysWhereGradientsAreMixed) {
         "wall.ir:17:3: error: 'add_surfgrad' takes SurfGrad as operand 1, found VolGrad (%13) [SG2112]\n"
         "  %14 = add_surfgrad %8 %13 : SurfGrad 'sum'  # no\n"
         "  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+        "    compile the material again with --emit ir; a text of your own: give the operation what it "
+        "takes\n"
         "wall.ir:18:1: error: 'resolve' takes SurfGrad as operand 1, found VolGrad (%13) [SG2112]\n"
         "%15 = resolve %1 %13 : Normal\n"
         "^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+        "    compile the material again with --emit ir; a text of your own: give the operation what it "
+        "takes\n"
         "wall.ir:19:1: error: takes SurfGrad, found VolGrad (%13) [SG2112]\n"
         "output gradient = %13\n"
-        "^^^^^^^^^^^^^^^^^^^^^\n");
+        "^^^^^^^^^^^^^^^^^^^^^\n"
+        "    compile the material again with --emit ir; a text of your own: give the operation what it "
+        "takes\n");
     EXPECT_EQ(read_messages(head + "%14 = scale_surfgrad 1 %8 : SurfGrad\n"),
               "wall.ir:17:1: error: expected ':' before '1 %8 : SurfGrad' [SG2112]\n"
               "%14 = scale_surfgrad 1 %8 : SurfGrad\n"
-              "^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n");
+              "^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "    compile the material again with --emit ir; a text of your own: give the operation what it "
+              "takes\n");
 }
 
 TEST(Ir, ReadingSaysWhereDerivativesAreTakenBehindParallax) {
@@ -154,7 +162,9 @@ TEST(Ir, ReadingSaysWhereDerivativesAreTakenBehindParallax) {
         "%8 = constant 16 : Scalar\n%9 = parallax_occlusion 0 %4 %6 %7 %8 : Hit\n";
     EXPECT_EQ(read_messages(head + "%10 = uv_set 1 : Uv\n"),
               "wall.ir:12:1: error: 'uv_set' takes screen derivatives behind parallax ('parallax_occlusion', "
-              "%9) [SG2112]\n%10 = uv_set 1 : Uv\n^^^^^^^^^^^^^^^^^^^\n");
+              "%9) [SG2112]\n%10 = uv_set 1 : Uv\n^^^^^^^^^^^^^^^^^^^\n"
+              "    compile the material again with --emit ir; a text of your own: give the operation what it "
+              "takes\n");
 }
 
 TEST(Ir, ReadingSaysWhichLineOfTheHostIsAtFault) {
@@ -162,10 +172,16 @@ TEST(Ir, ReadingSaysWhichLineOfTheHostIsAtFault) {
                             "derived 0 \"d\" : Scalar = %1\n%0 = derived 1 : Scalar\n"),
               "wall.ir:2:1: error: 'facing' is nothing that the host computes [SG2112]\n"
               "host %0 = facing : Scalar\n^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "    compile the material again with --emit ir; a text of your own: give the operation what it "
+              "takes\n"
               "wall.ir:3:1: error: is no value of the host of its type [SG2112]\n"
               "derived 0 \"d\" : Scalar = %1\n^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "    compile the material again with --emit ir; a text of your own: give the operation what it "
+              "takes\n"
               "wall.ir:4:1: error: no such derived number [SG2112]\n"
-              "%0 = derived 1 : Scalar\n^^^^^^^^^^^^^^^^^^^^^^^\n");
+              "%0 = derived 1 : Scalar\n^^^^^^^^^^^^^^^^^^^^^^^\n"
+              "    compile the material again with --emit ir; a text of your own: give the operation what it "
+              "takes\n");
 }
 
 // Neighbouring pixels see other places: nothing behind parallax may be differenced over the screen.
