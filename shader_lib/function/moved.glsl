@@ -29,7 +29,7 @@ SgVolume sg_function_world_volume(vec3 camera_position, SgFrame frame) {
     return SgVolume(frame.position + camera_position, frame.dpdx, frame.dpdy);
 }
 
-// The frame's point in object space, with its footprint; zero for a matrix that flattens.
+// The frame's point in object space, with its footprint; zero for a matrix of determinant 0.
 //   m: the upper 3x3 of the matrix from object to world space; origin: of the object, relative world space.
 SgVolume sg_function_object_volume(mat3 m, vec3 origin, SgFrame frame) {
     mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));

@@ -18,7 +18,8 @@ SgVolume sg_stage_world_volume(SgFrame frame) {
     return SgVolume(frame.position + sg_frame_block.camera_position.xyz, frame.dpdx, frame.dpdy);
 }
 
-// The frame's point in object space, with its footprint; of a matrix that flattens no meaning is left.
+// The frame's point in object space, with its footprint; of a matrix that flattens the host
+// hands over cofactors (artefacts.md), so that it is finite and means nothing.
 SgVolume sg_stage_object_volume(SgFrame frame) {
     mat3 rows = mat3(sg_object_block.normal_from_object);  // v * rows = M^-1 v
     vec3 from_origin = frame.position - sg_object_block.relative_from_object[3].xyz;

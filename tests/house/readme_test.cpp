@@ -11,6 +11,7 @@
 #include "ir/host.hpp"
 #include "ir/ir.hpp"
 #include "kinds.hpp"
+#include "layers/kind.hpp"
 #include "opt/optimise.hpp"
 #include "tests/support/golden.hpp"
 
@@ -74,6 +75,29 @@ TEST(Readme, EveryFieldOfTheFunctionIsListed) {
                 "| `" + field.name + "` | `" + std::string(field.type) + "` | " + field.meaning + " |";
             EXPECT_NE(text.find(row), std::string::npos) << "missing line:\n" << row;
         }
+    }
+}
+
+TEST(Readme, EverySampleIsListed) {
+    const std::string text = document("materials/README.md");
+    int found = 0;
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials")) {
+        if (entry.path().extension() != ".json") continue;
+        ++found;
+        const std::string name = entry.path().filename().string();
+        EXPECT_NE(text.find("(" + name + ")"), std::string::npos) << "not in the table of samples: " << name;
+    }
+    EXPECT_GE(found, 20);
+}
+
+// A kind is compared with the surface that is really displaced; the one that leads back to a normal bumps
+// nothing.
+TEST(Readme, EveryLayerKindHasAProof) {
+    const std::string cases = document("tests/proof/kinds.cpp");
+    for (const layers::LayerKind* kind : layers::all_kinds()) {
+        if (kind->name == "earlier_normal") continue;
+        EXPECT_NE(cases.find(fmt::format("\"kind\": \"{}\"", kind->name)), std::string::npos)
+            << "no case in tests/proof/kinds.cpp: " << kind->name;
     }
 }
 
