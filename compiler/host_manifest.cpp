@@ -130,6 +130,7 @@ std::string host_json(const ir::Module& module, const material::CheckedMaterial&
     for (std::size_t i = 0; i < module.derived.size(); ++i) {
         const ir::Derived& derived = module.derived[i];
         out["derived"].push_back({{"name", derived.name},
+                                  {"member", interface.parameters[given + i].member},
                                   {"type", type_word(derived.type)},
                                   {"offset", interface.parameters[given + i].offset},
                                   {"default", values[given + i]},
