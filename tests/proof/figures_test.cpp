@@ -123,27 +123,35 @@ TEST_F(GalleryFaults, AreAllReportedWithTheirPlace) {
               R"(bad.figure.json:1:12: error: expected a string, not a number [SG1103]
 { "title": 1, "mash": "sphere",
            ^
+    write a value of the expected type
 bad.figure.json:1:15: error: unknown key 'mash' in a figure, did you mean 'mesh'? [SG1101]
 { "title": 1, "mash": "sphere",
               ^^^^^^
+    remove the key or use the name that is suggested
 bad.figure.json:2:11: error: 'detail' must be from 1 to 16, not 99 [SG1104]
 "detail": 99, "text": "x", "mesh": "plane",
           ^^
+    choose a number inside the range
 bad.figure.json:3:15: error: a picture needs the key 'label' [SG1102]
 "pictures": [ { "id": "a", "material": "a.json" } ],
               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    add the key
 bad.figure.json:5:1: error: a claim needs exactly one of 'below', 'above', 'times' and 'apart' [SG1102]
 { "text": "t", "picture": "b", "below": 1, "above": 2 },
 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    add the key
 bad.figure.json:5:27: error: unknown picture 'b', expected 'a', did you mean 'a'? [SG1106]
 { "text": "t", "picture": "b", "below": 1, "above": 2 },
                           ^^^
+    use one of the words that are listed
 bad.figure.json:6:1: error: a claim about single pixels needs the key 'truth' [SG1102]
 { "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] }
 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    add the key
 bad.figure.json:6:54: error: 'tilted' must be from 0 to 90, not 91 [SG1104]
 { "text": "t", "picture": "a", "below": 1, "tilted": 91 } ] }
                                                      ^^
+    choose a number inside the range
 )");
 }
 
