@@ -140,7 +140,7 @@ bad.figure.json:5:1: error: a claim needs exactly one of 'below', 'above', 'time
 { "text": "t", "picture": "b", "below": 1, "above": 2 },
 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     add the key
-bad.figure.json:5:27: error: unknown picture 'b', expected 'a', did you mean 'a'? [SG1106]
+bad.figure.json:5:27: error: unknown picture 'b', expected 'a' [SG1106]
 { "text": "t", "picture": "b", "below": 1, "above": 2 },
                           ^^^
     use one of the words that are listed

@@ -94,9 +94,11 @@ TEST(Artefact, ReportsAllOfItsErrorsInTheirPlaces) {
     expect_errors(files, R"(dir/sample.json:2:61: error: '/two_sided' must be a text [SG2101]
 "source": {"file": "sample.json", "hash": ""}, "two_sided": 3,
                                                             ^
+    at /two_sided: compile the material again
 dir/sample.json:27:63: error: '/samplers/0/anisotropy' must be a number from 1 to 16 [SG2101]
     "filter": "linear", "mip_filter": "linear", "anisotropy": 0}]}
                                                               ^
+    at /samplers/0/anisotropy: compile the material again
 )");
 }
 
