@@ -82,6 +82,8 @@ constexpr Verdict kVerdicts[] = {
 };
 
 constexpr BeyondCase kBeyondCases[] = {
+    {"SG1104_constants_in_place",
+     "a node's number is compared with the range of the field that it stands in"},
     {"SG1207_parallax_steps", "no keyword compares two numbers"},
     {"SG1105_in_base", "the fault is in the file that the instance extends"},
     {"SG1202_instance", "the types of its parameters are declared in the file that the instance extends"},
