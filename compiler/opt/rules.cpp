@@ -38,6 +38,7 @@ ValueId one_factor(Rewriter& rewriter, const Value& value) {
 }
 
 ValueId scale_before_turn(Rewriter& rewriter, const Value& value) {
+    if (is_constant(rewriter.operand(value, 0, Op::constant), 0.0)) return {};
     const Value turned = rewriter.at(value.operands[1]);
     if (turned.op != Op::gradient_from_object && turned.op != Op::gradient_from_world) return {};
     const Value gradient = rewriter.at(turned.operands[0]);
@@ -52,6 +53,12 @@ ValueId scale_to_nothing(Rewriter& rewriter, const Value& value) {
     if (!is_constant(rewriter.operand(value, 0, Op::constant), 0.0) &&
         !rewriter.operand(value, 1, Op::zero_surfgrad))
         return {};
+    return rewriter.add(Op::zero_surfgrad, {}, value);
+}
+
+ValueId project_nothing(Rewriter& rewriter, const Value& value) {
+    const Value* scaled = rewriter.operand(value, 1, Op::scale_volgrad);
+    if (!scaled || !is_constant(rewriter.operand(*scaled, 0, Op::constant), 0.0)) return {};
     return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
@@ -278,6 +285,10 @@ std::vector<Rule> rules_of_gradients() {
          "0 g = 0: a layer of strength 0 vanishes, its texture and basis with it",
          {scale_surfgrad},
          scale_to_nothing},
+        {"project_nothing",
+         "0 v = 0: a volume bump of strength 0 vanishes, with what it is looked up by",
+         {surfgrad_from_volume},
+         project_nothing},
         {"scale_before_projection",
          "projection is linear: s project(d) = project(s d), which is shorter and can be added to others",
          {scale_surfgrad},

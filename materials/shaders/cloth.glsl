@@ -8,9 +8,9 @@
 // A surface gradient: the slopes of a map (green down, 128 means 0) along the vertex tangents, where the coordinate
 // lies in a window, from window.xy to window.zw, and the places within reach: from the camera, from the middle of
 // the object, from the middle of the world. A vertex whose alpha is below 0, or a time before `start`, hides it.
-vec3 cloth(SgFrame frame, vec3 normal, SgBasis tangents, vec3 position, SgVolume object, SgVolume world, vec4 color,
-           float time, float facing, texture2D map, sampler map_sampler, SgUv uv, vec4 window, vec3 reach,
-           float start) {
+vec3 cloth(SgFrame frame, vec3 normal, SgBasis tangents, vec3 position, SgVolume object,
+           SgVolume world, vec4 color, float time, float facing, texture2D map, sampler map_sampler,
+           SgUv uv, vec4 window, vec3 reach, float start) {
     vec2 slopes = sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(map, map_sampler, uv).xyz, 128.0));
     bool in_window = all(greaterThanEqual(uv.st, window.xy)) && all(lessThanEqual(uv.st, window.zw));
     vec3 far = vec3(length(position), length(object.p), length(world.p));

@@ -18,7 +18,7 @@ vec3 sg_combine_scale(vec3 g, float strength) { return strength * g; }
 
 // A bump under a mask.
 //   g: surface gradient; mask: 0..1, values outside count as the nearer end. Result: mask * g; exactly 0 where the mask
-//   is 0 (or not a number), even if g is endless or not a number there. Cost: 7 instructions. Source: Eq 13 and 14.
+//   is 0 (or not a number), even if g is endless or not a number there. Cost: 8 instructions. Source: Eq 13 and 14.
 vec3 sg_combine_mask(vec3 g, float mask) { return mask > 0.0 ? min(mask, 1.0) * g : vec3(0.0); }
 
 // From one bump to another.

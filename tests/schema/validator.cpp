@@ -1,5 +1,6 @@
 #include "validator.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -20,8 +21,25 @@ SchemaValidator::SchemaValidator(const std::string& schema_text)
 }
 SchemaValidator::~SchemaValidator() = default;
 
+namespace {
+
+// To draft-07 a number without a fraction is an integer, however it is written; valijson looks at the
+// parser's type.
+void with_whole_numbers(nlohmann::json& value) {
+    if (value.is_structured()) {
+        for (nlohmann::json& part : value) with_whole_numbers(part);
+    } else if (value.is_number_float()) {
+        const double number = value.get<double>();
+        if (number == std::trunc(number) && std::abs(number) < 1e15)
+            value = static_cast<std::int64_t>(number);
+    }
+}
+
+}  // namespace
+
 std::string SchemaValidator::refusal(const std::string& document) const {
     nlohmann::json value = nlohmann::json::parse(document);
+    with_whole_numbers(value);
     Adapter adapter(value);
     valijson::Validator validator;
     valijson::ValidationResults results;

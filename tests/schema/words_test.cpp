@@ -18,11 +18,14 @@ using Json = nlohmann::ordered_json;
 
 struct Words {
     std::set<std::string> keys;
-    std::set<std::string> values;  // "kind": "noise"; of a list "": "frame"
+    std::set<std::string> values;    // "kind": "noise"; of a list "": "frame"
+    std::set<std::string> asked;     // of `enum` and `const`, also by what fields ask of each other
+    std::set<std::string> defaults;  // which nobody has to write
 };
 
 std::string pair_of(const std::string& key, const Json& value) {
-    return "\"" + key + "\": " + value.dump();
+    // 0 is 0.0.
+    return "\"" + key + "\": " + (value.is_number() ? Json(value.get<double>()) : value).dump();
 }
 
 // `key`: that what is looked at is the value of.
@@ -33,9 +36,10 @@ void list_words(const Json& schema, const std::string& key, Words& out) {
     }
     if (!schema.is_object()) return;
     for (const Json& word : schema.value("enum", Json::array())) {
-        if (schema.value("default", Json()) != word) out.values.insert(pair_of(key, word));
+        out.asked.insert(pair_of(key, word));
     }
-    if (schema.contains("const")) out.values.insert(pair_of(key, schema["const"]));
+    if (schema.contains("const")) out.asked.insert(pair_of(key, schema["const"]));
+    if (schema.contains("default")) out.defaults.insert(pair_of(key, schema["default"]));
     for (const auto& [name, part] : schema.items()) {
         if (name == "properties" || name == "definitions") {
             for (const auto& [inner, value] : part.items()) {
@@ -59,6 +63,8 @@ void list_used(const Json& written, Words& out) {
 Words words_of_the_language() {
     Words out;
     list_words(Json::parse(schema_text()), "", out);
+    std::set_difference(out.asked.begin(), out.asked.end(), out.defaults.begin(), out.defaults.end(),
+                        std::inserter(out.values, out.values.end()));
     return out;
 }
 

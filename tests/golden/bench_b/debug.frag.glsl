@@ -79,7 +79,7 @@ void main() {
     // pebbles: triplanar
     SgTriplanarUv m_pebbles_planes = sg_volume_triplanar_uv(
         sg_volume_scale(m_world, sg_material.p_pebble_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec3 m_pebbles = sg_material.p_pebble_strength * sg_triplanar_gradient(
+    vec3 m_pebbles_gradient = sg_material.p_pebble_strength * sg_triplanar_gradient(
         sg_triplanar_weights(m_base_normal, 3.0),
         sg_deriv_from_normal_xyz(
             sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.x).xyz, 127.5)),
@@ -88,15 +88,17 @@ void main() {
         sg_deriv_from_normal_xyz(
             sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_pebbles_planes.z).xyz, 127.5)),
         SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec3 m_pebbles = sg_surfgrad_from_volume(m_base_normal, m_pebbles_gradient);
 
     // dents: noise
-    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
+    vec3 m_dents_gradient = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
         sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 4),
         sg_material.p_power).gradient);
+    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, m_dents_gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_projector, m_world.p, m_world.dx, m_world.dy);
-    vec3 m_sign =
+    vec3 m_sign_gradient =
         sg_decal_falloff_box(m_sign_decal.local, 0.25) *
         sg_stage_sample(t_sign, s_0, m_sign_decal.uv).w *
         sg_material.p_decal_strength *
@@ -104,9 +106,10 @@ void main() {
             sg_deriv_from_normal_xyz(
                 sg_decode_signed(sg_stage_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5)),
             sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
+    vec3 m_sign = sg_surfgrad_from_volume(m_base_normal, m_sign_gradient);
 
     vec3 m_gradient = m_weave + m_detail +
-        sg_surfgrad_from_volume(m_base_normal, m_pebbles + m_dents + m_sign);
+        sg_surfgrad_from_volume(m_base_normal, m_pebbles_gradient + m_dents_gradient + m_sign_gradient);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -115,17 +118,22 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 14.0, m_object.dy);  // object-position-dy
-    sg_shown = sg_stage_select(sg_shown, 15.0, m_world.p);  // world-position
-    sg_shown = sg_stage_select(sg_shown, 16.0, m_world.dx);  // world-position-dx
-    sg_shown = sg_stage_select(sg_shown, 17.0, m_world.dy);  // world-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_weave);  // layer:weave
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_detail);  // layer:detail
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_pebbles);  // layer:pebbles
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_dents);  // layer:dents
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_sign);  // layer:sign
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 15.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 16.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 17.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 19.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 20.0, m_world.p);  // world-position
+    sg_shown = sg_stage_select(sg_shown, 21.0, m_world.dx);  // world-position-dx
+    sg_shown = sg_stage_select(sg_shown, 22.0, m_world.dy);  // world-position-dy
     sg_out_value = sg_shown;
 }

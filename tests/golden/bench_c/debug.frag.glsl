@@ -118,7 +118,7 @@ void main() {
 
     // ribs: height_map
     vec3 m_ribs = sg_surfgrad_from_tbn(
-        max(sg_in_color.x, 0.0) * sg_material.p_rib_strength *
+        clamp(sg_in_color.x, 0.0, 1.0) * sg_material.p_rib_strength *
             sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling)),
         sg_basis_uv(m_frame, m_uv2));
 
@@ -130,7 +130,7 @@ void main() {
     // weave: triplanar
     SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(
         sg_volume_scale(m_moved_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec3 m_weave = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
+    vec3 m_weave = clamp(sg_in_color.y, 0.0, 1.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
         sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
@@ -165,7 +165,13 @@ void main() {
                 sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5)),
             sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
 
+    vec3 m_decals_normal = sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents),
+                                             m_sign + m_plaster);
     float m_wet = sg_material.p_wetness * sg_in_color.z;
+    float m_clamp = clamp(m_wet, 0.0, 1.0);
+
+    // film: earlier_normal
+    vec3 m_film = sg_resolve_towards(m_decals_normal, m_relief_normal, m_clamp);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -173,22 +179,24 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
-    // normal
-    sg_shown = sg_stage_select(
-        sg_shown, 5.0,
-        sg_resolve_towards(
-            sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
-            m_relief_normal, max(m_wet, 0.0)));
-    sg_shown = sg_stage_select(sg_shown, 6.0, sg_in_color);  // vertex-color
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec3(m_uv2.st, 0.0));  // uv2
-    sg_shown = sg_stage_select(sg_shown, 12.0, vec4(m_uv2.dx, m_uv2.dy));  // uv2-derivatives
-    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 14.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 15.0, m_object.dy);  // object-position-dy
-    sg_shown = sg_stage_select(sg_shown, 16.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 5.0, m_film);  // normal
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_detail);  // layer:detail
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_sphere);  // layer:sphere
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_ribs);  // layer:ribs
+    // layer:film
+    sg_shown = sg_stage_select(sg_shown, 10.0,
+                               m_clamp * sg_surfgrad_from_normal(m_decals_normal, m_relief_normal));
+    sg_shown = sg_stage_select(sg_shown, 11.0, sg_in_color);  // vertex-color
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 15.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 16.0, vec3(m_uv2.st, 0.0));  // uv2
+    sg_shown = sg_stage_select(sg_shown, 17.0, vec4(m_uv2.dx, m_uv2.dy));  // uv2-derivatives
+    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 19.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 20.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 21.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

@@ -117,7 +117,7 @@ void main() {
 
     // ribs: height_map
     vec3 m_ribs = sg_surfgrad_from_tbn(
-        max(sg_in_color.x, 0.0) * sg_material.p_rib_strength *
+        clamp(sg_in_color.x, 0.0, 1.0) * sg_material.p_rib_strength *
             sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling)),
         sg_basis_uv(m_frame, m_uv2));
 
@@ -130,7 +130,7 @@ void main() {
     // weave: triplanar
     SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(
         sg_volume_scale(m_moved_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec3 m_weave = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
+    vec3 m_weave = clamp(sg_in_color.y, 0.0, 1.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
         sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
@@ -161,6 +161,12 @@ void main() {
         sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
 
     float m_wet = sg_material.p_wetness * sg_in_color.z;
+
+    // film: earlier_normal
+    vec3 m_film = sg_resolve_towards(
+        sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
+        m_relief_normal, clamp(m_wet, 0.0, 1.0));
+
     vec4 m_stone_texel = sg_sample(t_stone, s_0, m_seen_uv);
     vec3 m_stone = sg_material.p_tint * m_stone_texel.rgb;
     vec3 m_marked = mix(mix(m_stone, m_sign_cutout.rgb, m_sign_coverage), m_plaster_cutout.rgb,
@@ -171,15 +177,9 @@ void main() {
     SgGgxSurface sg_surface;
     sg_surface.base_color = m_marked * mix(vec3(1.0), vec3(0.6), m_wet);
     sg_surface.metallic = sg_material.p_metallic;
-    sg_surface.roughness = mix(m_marked_roughness, 0.1, m_wet);
+    sg_surface.roughness = clamp(mix(m_marked_roughness, 0.1, m_wet), 0.0, 1.0);
     sg_surface.occlusion = 1.0;
     sg_surface.emission = vec3(0.0);
-    sg_out_color = vec4(
-        sg_ggx_radiance(
-            sg_surface,
-            sg_resolve_towards(
-                sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
-                m_relief_normal, max(m_wet, 0.0)),
-            sg_stage_lights(sg_in_position)),
-        sg_material.p_opacity * m_stone_texel.w);
+    sg_out_color = vec4(sg_ggx_radiance(sg_surface, m_film, sg_stage_lights(sg_in_position)),
+                        sg_material.p_opacity * m_stone_texel.w);
 }

@@ -114,7 +114,7 @@ void main() {
 
     // ribs: height_map
     vec3 m_ribs = sg_surfgrad_from_tbn(
-        max(sg_in_color.x, 0.0) * sg_material.p_rib_strength *
+        clamp(sg_in_color.x, 0.0, 1.0) * sg_material.p_rib_strength *
             sg_deriv_from_height_hq(t_rib, s_0, sg_uv_scale(m_uv2, sg_material.p_rib_tiling)),
         sg_basis_uv(m_frame, m_uv2));
 
@@ -127,7 +127,7 @@ void main() {
     // weave: triplanar
     SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(
         sg_volume_scale(m_moved_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec3 m_weave = max(sg_in_color.y, 0.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
+    vec3 m_weave = clamp(sg_in_color.y, 0.0, 1.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
         sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
@@ -164,9 +164,10 @@ void main() {
 
     float m_wet = sg_material.p_wetness * sg_in_color.z;
 
-    sg_out_normal = vec4(
-        sg_resolve_towards(
-            sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
-            m_relief_normal, max(m_wet, 0.0)),
-        1.0);
+    // film: earlier_normal
+    vec3 m_film = sg_resolve_towards(
+        sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents), m_sign + m_plaster),
+        m_relief_normal, clamp(m_wet, 0.0, 1.0));
+
+    sg_out_normal = vec4(m_film, 1.0);
 }

@@ -39,9 +39,10 @@ void main() {
     vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(
         sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
     SgBasis m_pd_basis = sg_basis_uv(m_frame, m_uv0);
+    vec3 m_pd_gradient = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis);
     SgBasis m_pd_basis_2 = sg_basis_uv(m_frame, m_uv1);
-    vec3 m_pd = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis) +
-        sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_pd_gradient_2 = sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_pd = m_pd_gradient + m_pd_gradient_2;
 
     // whiteout: normal_blend
     vec3 m_whiteout_m = sg_normal_from_deriv(m_pd_deriv);
@@ -60,12 +61,7 @@ void main() {
         sg_surfgrad_from_tbn(sg_material.p_second * m_pd_deriv_2, m_pd_basis_2);
 
     // rnm: normal_blend
-    vec3 m_rnm = sg_surfgrad_from_tbn(
-        sg_deriv_from_normal_xyz(sg_combine_rnm(
-            m_whiteout_m,
-            sg_normal_from_deriv(sg_deriv_from_normal_xy(sg_decode_signed(
-                sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5))))),
-        m_pd_basis);
+    vec3 m_rnm = sg_combine_reoriented(m_base_normal, m_pd_gradient, m_pd_gradient_2);
 
     vec3 m_gradient = sg_combine_mix(
         sg_combine_mix(
@@ -83,12 +79,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_pd);  // layer:pd
+    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -37,9 +37,10 @@ void main() {
     vec2 m_pd_deriv_2 = sg_deriv_from_normal_xy(
         sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5));
     SgBasis m_pd_basis = sg_basis_uv(m_frame, m_uv0);
+    vec3 m_pd_gradient = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis);
     SgBasis m_pd_basis_2 = sg_basis_uv(m_frame, m_uv1);
-    vec3 m_pd = sg_surfgrad_from_tbn(m_pd_deriv, m_pd_basis) +
-        sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_pd_gradient_2 = sg_surfgrad_from_tbn(m_pd_deriv_2, m_pd_basis_2);
+    vec3 m_pd = m_pd_gradient + m_pd_gradient_2;
 
     // whiteout: normal_blend
     vec3 m_whiteout_m = sg_normal_from_deriv(m_pd_deriv);
@@ -58,12 +59,7 @@ void main() {
         sg_surfgrad_from_tbn(sg_material.p_second * m_pd_deriv_2, m_pd_basis_2);
 
     // rnm: normal_blend
-    vec3 m_rnm = sg_surfgrad_from_tbn(
-        sg_deriv_from_normal_xyz(sg_combine_rnm(
-            m_whiteout_m,
-            sg_normal_from_deriv(sg_deriv_from_normal_xy(sg_decode_signed(
-                sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).xy, 127.5))))),
-        m_pd_basis);
+    vec3 m_rnm = sg_combine_reoriented(m_base_normal, m_pd_gradient, m_pd_gradient_2);
 
     float m_height = sg_stage_volume(sg_in_object_position).p.y;
 

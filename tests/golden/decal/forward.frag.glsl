@@ -73,9 +73,8 @@ void main() {
                     vec3(-0.8333333, 2.8867514, -1.4433757), vec3(-2.2617514, -1.9983969, 3.0825317))),
         m_world.p, m_world.dx, m_world.dy);
     vec3 m_dent =
-        sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) *
+        -sg_decal_falloff_capsule(m_dent_decal.local, sg_material.d_dent_multiply, 0.2) *
         sg_stage_sample(t_moss, s_0, m_dent_decal.uv).x *
-        -1.0 *
         sg_decal_gradient(
             sg_deriv_green_up(sg_deriv_from_normal_xyz(
                 sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_dent_decal.uv).xyz, 127.0))),

@@ -43,7 +43,14 @@ void main() {
         sg_basis_uv(sg_frame_resolved(m_frame, m_pebbles_normal), m_uv1));
 
     float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
+
+    // layer 3: earlier_normal
+    vec3 m_layer_3 = sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water);
+
     float m_deep = sg_smoothstep(0.6, 0.9, m_water);
+
+    // layer 4: earlier_normal
+    vec3 m_layer_4 = sg_resolve_towards(m_layer_3, m_base_normal, m_deep);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -51,15 +58,12 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_layer_1);  // gradient
-    // normal
-    sg_shown = sg_stage_select(
-        sg_shown, 5.0,
-        sg_resolve_towards(
-            sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water),
-            m_base_normal, max(m_deep, 0.0)));
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 5.0, m_layer_4);  // normal
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_layer_1);  // layer:layer 1
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_layer_2);  // layer:layer 2
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_out_value = sg_shown;
 }

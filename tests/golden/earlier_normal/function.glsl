@@ -110,16 +110,15 @@ SgMaterialResult sg_material_earlier_normal(SgMaterialInputs sg_inputs, texture2
         sg_basis_uv(sg_frame_resolved(m_frame, m_pebbles_normal), m_uv1));
 
     float m_water = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
+
+    // layer 3: earlier_normal
+    vec3 m_layer_3 = sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water);
+
     float m_deep = sg_smoothstep(0.6, 0.9, m_water);
 
-    return SgMaterialResult(
-        sg_resolve_towards(
-            sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water),
-            m_base_normal, max(m_deep, 0.0)),
-        mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water),
-        0.0,
-        mix(0.8, 0.4, m_water),
-        1.0,
-        vec3(0.0),
-        1.0, 0.0);
+    // layer 4: earlier_normal
+    vec3 m_layer_4 = sg_resolve_towards(m_layer_3, m_base_normal, m_deep);
+
+    return SgMaterialResult(m_layer_4, mix(vec3(0.4, 0.36, 0.3), vec3(0.16, 0.17, 0.18), m_water), 0.0,
+                            mix(0.8, 0.4, m_water), 1.0, vec3(0.0), 1.0, 0.0);
 }

@@ -42,11 +42,14 @@ void main() {
         sg_basis_uv(sg_frame_resolved(m_frame, m_pebbles_normal), m_uv1));
 
     float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
+
+    // layer 3: earlier_normal
+    vec3 m_layer_3 = sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water);
+
     float m_deep = sg_smoothstep(0.6, 0.9, m_water);
 
-    sg_out_normal = vec4(
-        sg_resolve_towards(
-            sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water),
-            m_base_normal, max(m_deep, 0.0)),
-        1.0);
+    // layer 4: earlier_normal
+    vec3 m_layer_4 = sg_resolve_towards(m_layer_3, m_base_normal, m_deep);
+
+    sg_out_normal = vec4(m_layer_4, 1.0);
 }

@@ -43,7 +43,7 @@ void main() {
     // blisters: noise
     vec3 m_blisters = sg_surfgrad_from_volume(
         m_base_normal,
-        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+        sg_stage_gradient_from_object(clamp(1.0 - m_vein, 0.0, 1.0) * 0.14 *
             sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
     vec3 m_gradient = m_veins + m_blisters;
@@ -60,10 +60,12 @@ void main() {
     // normal
     sg_shown = sg_stage_select(sg_shown, 5.0,
                                sg_flip(sg_resolve(m_base_normal, m_gradient), sg_stage_facing()));
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_veins);  // layer:veins
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_blisters);  // layer:blisters
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -46,7 +46,7 @@ void main() {
     // blisters: noise
     vec3 m_blisters = sg_surfgrad_from_volume(
         m_base_normal,
-        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+        sg_stage_gradient_from_object(clamp(1.0 - m_vein, 0.0, 1.0) * 0.14 *
             sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
     vec3 m_flecks = sg_stage_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb;
@@ -60,7 +60,7 @@ void main() {
     sg_surface.base_color = vec3(0.16, 0.5, 0.12) * m_flecks;
     sg_surface.metallic = 0.0;
     sg_surface.roughness = mix(0.35, 0.7, m_wax);
-    sg_surface.occlusion = m_vein * 0.4 + 0.6;
+    sg_surface.occlusion = clamp(m_vein * 0.4 + 0.6, 0.0, 1.0);
     sg_surface.emission = sg_material.p_glow;
     sg_out_color = vec4(
         sg_ggx_radiance(sg_surface,

@@ -119,7 +119,7 @@ SgMaterialResult sg_material_leaf(SgMaterialInputs sg_inputs, SgMaterialParamete
         m_base_normal,
         sg_gradient_to_world(
             mat3(sg_inputs.object_x, sg_inputs.object_y, sg_inputs.object_z),
-            max(1.0 - m_vein, 0.0) * 0.14 *
+            clamp(1.0 - m_vein, 0.0, 1.0) * 0.14 *
                 sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
     vec3 m_flecks = sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb;
@@ -127,6 +127,7 @@ SgMaterialResult sg_material_leaf(SgMaterialInputs sg_inputs, SgMaterialParamete
     float m_hole = sg_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x;
 
     return SgMaterialResult(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_inputs.facing),
-                            vec3(0.16, 0.5, 0.12) * m_flecks, 0.0, mix(0.35, 0.7, m_wax), m_vein * 0.4 + 0.6,
-                            sg_material.p_glow, 1.0 - m_hole * sg_material.p_eaten, 0.58);
+                            vec3(0.16, 0.5, 0.12) * m_flecks, 0.0, mix(0.35, 0.7, m_wax),
+                            clamp(m_vein * 0.4 + 0.6, 0.0, 1.0), sg_material.p_glow,
+                            1.0 - m_hole * sg_material.p_eaten, 0.58);
 }

@@ -47,7 +47,7 @@ void main() {
     // blisters: noise
     vec3 m_blisters = sg_surfgrad_from_volume(
         m_base_normal,
-        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+        sg_stage_gradient_from_object(clamp(1.0 - m_vein, 0.0, 1.0) * 0.14 *
             sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
     vec3 m_flecks = sg_stage_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 5.0))).rgb;
@@ -60,6 +60,6 @@ void main() {
     sg_out_base_color = vec4(vec3(0.16, 0.5, 0.12) * m_flecks, m_opacity);
     sg_out_normal = vec4(sg_flip(sg_resolve(m_base_normal, m_veins + m_blisters), sg_stage_facing()),
                          mix(0.35, 0.7, m_wax));
-    sg_out_surface = vec4(0.0, m_vein * 0.4 + 0.6, 0.0, 1.0);
+    sg_out_surface = vec4(0.0, clamp(m_vein * 0.4 + 0.6, 0.0, 1.0), 0.0, 1.0);
     sg_out_emission = vec4(sg_material.p_glow, 1.0);
 }

@@ -42,7 +42,7 @@ void main() {
     // blisters: noise
     vec3 m_blisters = sg_surfgrad_from_volume(
         m_base_normal,
-        sg_stage_gradient_from_object(max(1.0 - m_vein, 0.0) * 0.14 *
+        sg_stage_gradient_from_object(clamp(1.0 - m_vein, 0.0, 1.0) * 0.14 *
             sg_volume_fractal_sum(sg_volume_scale(m_object, 7.0), 3).gradient));
 
     float m_hole = sg_stage_sample(t_holes, s_0, sg_uv_scale(m_uv0, vec2(4.0, 3.0))).x;

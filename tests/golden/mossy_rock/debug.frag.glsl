@@ -74,6 +74,9 @@ void main() {
             sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(4.0))).xy, 127.5)),
         sg_basis_uv(sg_frame_resolved(m_frame, m_macro_normal), m_uv1));
 
+    // wet moss: group
+    vec3 m_wet_moss = m_fuzz + m_slime;
+
     float m_facing_up = sg_smoothstep(0.1, 0.6, dot(m_macro_normal, vec3(0.0, 1.0, 0.0)));
     float m_mossy = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * m_facing_up;
 
@@ -86,16 +89,20 @@ void main() {
     // normal
     sg_shown = sg_stage_select(
         sg_shown, 5.0,
-        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)),
+        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_wet_moss, m_mossy)),
                 sg_stage_facing()));
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 14.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_scan);  // layer:scan
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_gravel);  // layer:gravel
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_fuzz);  // layer:fuzz
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_slime);  // layer:slime
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 15.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 16.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 17.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -157,16 +157,14 @@ SgMaterialResult sg_material_mossy_rock(SgMaterialInputs sg_inputs,
                 m_macro_normal),
             m_uv1));
 
+    // wet moss: group
+    vec3 m_wet_moss = m_fuzz + m_slime;
+
     float m_facing_up = sg_smoothstep(0.1, 0.6, dot(m_macro_normal, vec3(0.0, 1.0, 0.0)));
     float m_mossy = sg_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * m_facing_up;
 
     return SgMaterialResult(
-        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)),
-                sg_inputs.facing),
+        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_wet_moss, m_mossy)), sg_inputs.facing),
         mix(sg_sample(t_stone, s_0, sg_uv_scale(m_uv0, vec2(8.0, 4.0))).rgb, vec3(0.08, 0.2, 0.03), m_mossy),
-        0.0,
-        mix(0.75, 0.4, m_mossy),
-        sg_sample(t_moss, s_0, m_uv0).y * 0.3 + 0.7,
-        vec3(0.0),
-        1.0, 0.0);
+        0.0, mix(0.75, 0.4, m_mossy), sg_sample(t_moss, s_0, m_uv0).y * 0.3 + 0.7, vec3(0.0), 1.0, 0.0);
 }

@@ -76,6 +76,9 @@ void main() {
             sg_frame_resolved(sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal)), m_macro_normal),
             m_uv1));
 
+    // wet moss: group
+    vec3 m_wet_moss = m_fuzz + m_slime;
+
     float m_facing_up = sg_smoothstep(0.1, 0.6, dot(m_macro_normal, vec3(0.0, 1.0, 0.0)));
     float m_mossy = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * m_facing_up;
 
@@ -84,8 +87,7 @@ void main() {
             m_mossy),
         1.0);
     sg_out_normal = vec4(
-        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)),
-                sg_stage_facing()),
+        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_wet_moss, m_mossy)), sg_stage_facing()),
         mix(0.75, 0.4, m_mossy));
     sg_out_surface = vec4(0.0, sg_stage_sample(t_moss, s_0, m_uv0).y * 0.3 + 0.7, 0.0, 1.0);
     sg_out_emission = vec4(vec3(0.0), 1.0);

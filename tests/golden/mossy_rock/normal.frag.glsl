@@ -72,11 +72,13 @@ void main() {
             sg_frame_resolved(sg_stage_frame(sg_in_position, sg_base_normal(sg_in_normal)), m_macro_normal),
             m_uv1));
 
+    // wet moss: group
+    vec3 m_wet_moss = m_fuzz + m_slime;
+
     float m_facing_up = sg_smoothstep(0.1, 0.6, dot(m_macro_normal, vec3(0.0, 1.0, 0.0)));
     float m_mossy = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 3.0))).x * m_facing_up;
 
     sg_out_normal = vec4(
-        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_fuzz + m_slime, m_mossy)),
-                sg_stage_facing()),
+        sg_flip(sg_resolve(m_macro_normal, sg_combine_mix(m_gravel, m_wet_moss, m_mossy)), sg_stage_facing()),
         1.0);
 }

@@ -29,17 +29,20 @@ void main() {
     SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
 
     // forms: noise
-    vec3 m_forms = sg_stage_gradient_from_object(
+    vec3 m_forms_gradient = sg_stage_gradient_from_object(
         0.125 * sg_volume_fractal_sum(sg_volume_scale(m_object, 2.5), 5).gradient);
+    vec3 m_forms = sg_surfgrad_from_volume(m_base_normal, m_forms_gradient);
 
     // dents: noise
-    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply *
+    vec3 m_dents_gradient = sg_stage_gradient_from_object(sg_material.d_dents_multiply *
         sg_noise_power(sg_volume_turbulence(sg_volume_scale(m_object, 3.0), 4), 2.5).gradient);
+    vec3 m_dents = sg_surfgrad_from_volume(m_base_normal, m_dents_gradient);
 
     // grain: noise
-    vec3 m_grain = 0.1125 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
+    vec3 m_grain_gradient = 0.1125 * sg_volume_perlin(sg_volume_scale(m_world, 45.0)).gradient;
+    vec3 m_grain = sg_surfgrad_from_volume(m_base_normal, m_grain_gradient);
 
-    vec3 m_gradient = m_forms + m_dents + m_grain;
+    vec3 m_gradient = m_forms_gradient + m_dents_gradient + m_grain_gradient;
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -49,11 +52,14 @@ void main() {
     // gradient
     sg_shown = sg_stage_select(sg_shown, 4.0, sg_surfgrad_from_volume(m_base_normal, m_gradient));
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dy);  // object-position-dy
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_world.p);  // world-position
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_world.dx);  // world-position-dx
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_world.dy);  // world-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_forms);  // layer:forms
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_dents);  // layer:dents
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_grain);  // layer:grain
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_world.p);  // world-position
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_world.dx);  // world-position-dx
+    sg_shown = sg_stage_select(sg_shown, 14.0, m_world.dy);  // world-position-dy
     sg_out_value = sg_shown;
 }

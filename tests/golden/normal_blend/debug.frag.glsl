@@ -41,16 +41,18 @@ void main() {
     vec3 m_scratched = sg_surfgrad_from_tbn(m_scratched_derivs.first, m_basis_vertex) +
         sg_surfgrad_from_tbn(m_scratched_derivs.second, sg_basis_uv(m_frame, m_uv1));
 
-    // covered: normal_blend
-    vec3 m_covered = sg_surfgrad_from_tbn(
-        sg_deriv_from_normal_xyz(sg_combine_rnm(
-            m_scratched_m,
-            sg_normal_from_deriv(sg_deriv_from_normal_xyz(sg_decode_signed(
-                sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 5.0))).xyz, 128.0))))),
-        sg_basis_uv(m_frame, m_uv0));
-
     float m_patch = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(6.0, 2.0))).x;
-    vec3 m_gradient = sg_combine_mix(m_scratched, m_covered, m_patch);
+
+    // covered: normal_blend
+    vec2 m_covered_deriv = sg_deriv_from_normal_xyz(sg_combine_rnm(
+        m_scratched_m,
+        sg_normal_from_deriv(sg_deriv_from_normal_xyz(sg_decode_signed(
+            sg_stage_sample(t_weave, s_0, sg_uv_scale(m_uv0, vec2(12.0, 5.0))).xyz, 128.0)))));
+    SgBasis m_covered_basis = sg_basis_uv(m_frame, m_uv0);
+    vec3 m_covered = sg_surfgrad_from_tbn(m_patch * m_covered_deriv, m_covered_basis);
+
+    vec3 m_gradient = sg_combine_mix(m_scratched, sg_surfgrad_from_tbn(m_covered_deriv, m_covered_basis),
+                                     m_patch);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -59,11 +61,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_scratched);  // layer:scratched
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_covered);  // layer:covered
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_out_value = sg_shown;
 }

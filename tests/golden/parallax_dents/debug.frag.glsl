@@ -78,10 +78,11 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     // normal
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_relief_normal, m_dents + m_grain));
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

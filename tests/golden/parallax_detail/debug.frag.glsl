@@ -80,12 +80,15 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_relief_normal, m_weave + m_scratches));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_weave);  // layer:weave
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_scratches);  // layer:scratches
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 14.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 15.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

@@ -51,12 +51,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_parallax_moved_normal, m_stones));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndy);  // base-normal-dy
     // moved-position
-    sg_shown = sg_stage_select(sg_shown, 10.0,
+    sg_shown = sg_stage_select(sg_shown, 11.0,
                                sg_parallax_position(m_frame, m_parallax_pixels, m_parallax_hit.height));
     sg_out_value = sg_shown;
 }

@@ -28,21 +28,19 @@ void main() {
 
     // parallax: offset
     SgUv m_parallax_uv = sg_uv_scale(m_uv0, vec2(5.0, 2.0));
-    vec2 m_parallax_heights = vec2(0.05, -0.025);
     vec2 m_parallax_offset = sg_parallax_offset(
         sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)),
-        sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_uv.st,
+        sg_parallax_height(t_height, s_0, vec2(0.05, -0.025), m_parallax_uv.st,
                            sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0))));
-    SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
+    SgUv m_parallax_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
                                                       m_normal_derivatives.dndy, m_parallax_pixels);
 
     // stones: height_map
     vec3 m_stones = sg_surfgrad_from_height(
-        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_parallax_uv,
-        sg_texture_size(t_height, s_0),
-        0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
+        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_seen_uv,
+        sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_seen_uv));
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -51,16 +49,17 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_parallax_moved_normal, m_stones));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndy);  // base-normal-dy
     // moved-position
     sg_shown = sg_stage_select(
-        sg_shown, 10.0,
+        sg_shown, 11.0,
         sg_parallax_position(
             m_frame, m_parallax_pixels,
-            sg_parallax_height(t_height, s_0, m_parallax_heights, m_parallax_parallax_uv.st,
-                               sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_height, s_0)))));
+            sg_parallax_height(t_height, s_0, vec2(0.05, -0.025), m_parallax_seen_uv.st,
+                               sg_uv_level(m_parallax_seen_uv, sg_texture_size(t_height, s_0)))));
     sg_out_value = sg_shown;
 }

@@ -35,19 +35,18 @@ void main() {
         sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)),
         sg_parallax_height(t_height, s_0, vec2(0.05, -0.025), m_parallax_uv.st,
                            sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0))));
-    SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
+    SgUv m_parallax_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
                                                       m_normal_derivatives.dndy,
                                                       sg_parallax_pixels(m_parallax_uv, m_parallax_offset));
 
     // stones: height_map
     vec3 m_stones = sg_surfgrad_from_height(
-        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_parallax_uv,
-        sg_texture_size(t_height, s_0),
-        0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
+        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_seen_uv,
+        sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_seen_uv));
 
     SgGgxSurface sg_surface;
-    sg_surface.base_color = sg_sample(t_stone, s_0, m_parallax_parallax_uv).rgb;
+    sg_surface.base_color = sg_sample(t_stone, s_0, m_parallax_seen_uv).rgb;
     sg_surface.metallic = 0.0;
     sg_surface.roughness = 0.8;
     sg_surface.occlusion = 1.0;

@@ -103,18 +103,17 @@ SgMaterialResult sg_material_parallax_offset(SgMaterialInputs sg_inputs, texture
                               sg_function_view(sg_inputs.to_viewer, sg_inputs.position)),
         sg_parallax_height(t_height, s_0, vec2(0.05, -0.025), m_parallax_uv.st,
                            sg_uv_level(m_parallax_uv, sg_texture_size(t_height, s_0))));
-    SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
+    SgUv m_parallax_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx,
                                                       m_normal_derivatives.dndy,
                                                       sg_parallax_pixels(m_parallax_uv, m_parallax_offset));
 
     // stones: height_map
     vec3 m_stones = sg_surfgrad_from_height(
-        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_parallax_uv,
-        sg_texture_size(t_height, s_0),
-        0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_parallax_uv));
+        sg_frame_resolved(m_frame, m_parallax_moved_normal), m_parallax_seen_uv,
+        sg_texture_size(t_height, s_0), 0.05 * sg_deriv_from_height_hq(t_height, s_0, m_parallax_seen_uv));
 
     return SgMaterialResult(sg_resolve(m_parallax_moved_normal, m_stones),
-                            sg_sample(t_stone, s_0, m_parallax_parallax_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0),
-                            1.0, 0.0);
+                            sg_sample(t_stone, s_0, m_parallax_seen_uv).rgb, 0.0, 0.8, 1.0, vec3(0.0), 1.0,
+                            0.0);
 }

@@ -45,7 +45,7 @@ void main() {
         sg_material.d_parallax_multiply *
             sg_parallax_direction(m_frame, m_parallax_uv, sg_stage_view(sg_in_position)).xy,
         4);
-    SgUv m_parallax_parallax_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
+    SgUv m_parallax_seen_uv = sg_parallax_uv(m_parallax_uv, m_parallax_offset);
     vec2 m_parallax_pixels = sg_parallax_pixels(m_parallax_uv, m_parallax_offset);
     vec3 m_parallax_moved_normal = sg_mirror_normal(
         sg_parallax_normal(m_base_normal, m_normal_derivatives.dndx, m_normal_derivatives.dndy,
@@ -68,21 +68,22 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_parallax_moved_normal, m_stones));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_normal_derivatives.dndy);  // base-normal-dy
     // moved-position
     sg_shown = sg_stage_select(
-        sg_shown, 12.0,
+        sg_shown, 13.0,
         sg_parallax_position(
             m_frame, m_parallax_pixels,
             sg_parallax_height(t_planes, s_0,
                                vec2(sg_material.d_parallax_multiply_2, sg_material.d_parallax_multiply_3),
-                               m_parallax_parallax_uv.st,
-                               sg_uv_level(m_parallax_parallax_uv, sg_texture_size(t_planes, s_0)))));
-    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
+                               m_parallax_seen_uv.st,
+                               sg_uv_level(m_parallax_seen_uv, sg_texture_size(t_planes, s_0)))));
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
     sg_out_value = sg_shown;
 }

@@ -32,8 +32,8 @@ void main() {
             t_pebble, s_0,
             sg_volume_triplanar_uv(sg_volume_scale(m_world, 1.5), SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
         127.0)));
-    vec3 m_rain_gradient = max(m_top, 0.0) * sg_triplanar_gradient(
-        sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rain_gradient = m_top * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
+                                                         m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
     vec3 m_rain = sg_surfgrad_from_volume(m_base_normal, m_rain_gradient);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
@@ -43,8 +43,9 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_rain);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rain_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_world.p);  // world-position
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_world.dx);  // world-position-dx
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_world.dy);  // world-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_rain);  // layer:rain
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_world.p);  // world-position
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_world.dx);  // world-position-dx
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_world.dy);  // world-position-dy
     sg_out_value = sg_shown;
 }

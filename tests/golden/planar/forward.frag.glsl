@@ -31,8 +31,8 @@ void main() {
             sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume_in_world(sg_in_position), 1.5),
                                    SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
         127.0)));
-    vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
-                                                          m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rain = m_top * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv,
+                                                SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     SgGgxSurface sg_surface;
     sg_surface.base_color = mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top);

@@ -96,8 +96,8 @@ SgMaterialResult sg_material_planar(SgMaterialInputs sg_inputs, texture2D t_pebb
                     1.5),
                 SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
         127.0)));
-    vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
-                                                          m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rain = m_top * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv,
+                                                SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     return SgMaterialResult(sg_resolve_volume(m_base_normal, m_rain),
                             mix(vec3(0.3, 0.3, 0.32), vec3(0.45, 0.42, 0.36), m_top), 0.0,

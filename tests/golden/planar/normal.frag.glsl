@@ -29,8 +29,8 @@ void main() {
             sg_volume_triplanar_uv(sg_volume_scale(sg_stage_volume_in_world(sg_in_position), 1.5),
                                    SG_RIGHT_HAND, SG_UPPER_LEFT).y).xyz,
         127.0)));
-    vec3 m_rain = max(m_top, 0.0) * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv,
-                                                          m_rain_deriv, SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_rain = m_top * sg_triplanar_gradient(sg_axis_y(), m_rain_deriv, m_rain_deriv, m_rain_deriv,
+                                                SG_RIGHT_HAND, SG_UPPER_LEFT);
 
     sg_out_normal = vec4(sg_resolve_volume(m_base_normal, m_rain), 1.0);
 }

@@ -57,10 +57,12 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_bumps);  // layer:bumps
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_cracks);  // layer:cracks
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

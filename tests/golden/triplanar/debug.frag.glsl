@@ -49,8 +49,9 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_rock);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_rock_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_rock);  // layer:rock
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -52,11 +52,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_weave);  // layer:weave
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_scratches);  // layer:scratches
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_out_value = sg_shown;
 }

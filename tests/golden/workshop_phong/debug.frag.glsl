@@ -38,9 +38,10 @@ void main() {
     sg_shown = sg_stage_select(
         sg_shown, 5.0,
         sg_resolve_vertex_map(sg_in_normal, sg_in_tangent, 1.0, m_bump_normal_m, vec2(1.0, -1.0)));
-    sg_shown = sg_stage_select(sg_shown, 6.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_bump_normal);  // layer:bump_normal
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
     sg_out_value = sg_shown;
 }

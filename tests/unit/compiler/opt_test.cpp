@@ -102,6 +102,13 @@ const RuleCase kCases[] = {
      "%11 = surfgrad_from_normal %9 %10 : SurfGrad\n%12 = mask_surfgrad %11 %8 : SurfGrad\n"
      "%13 = resolve %9 %12 : Normal\noutput normal = %13\n",
      "%7 = resolve_towards %3 %1 %6 : Normal\noutput normal = %7\n"},
+    {"project_nothing",
+     "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = constant 0 : Scalar\n%11 = constant 3 "
+     ": "
+     "Scalar\n%12 = noise_gradient %11 %9 : LocalGrad\n%13 = gradient_from_world %12 : VolGrad\n"
+     "%14 = scale_volgrad %10 %13 : VolGrad\n%15 = surfgrad_from_volume %1 %14 : SurfGrad\noutput gradient = "
+     "%15\n",
+     "%0 = zero_surfgrad : SurfGrad\noutput gradient = %0\n"},
     {"mix_before_projection",
      "%8 = volume_world : Volume\n%9 = noise_perlin %8 : Noise\n%10 = facing : Scalar\n%11 = time : "
      "Scalar\n"
