@@ -28,10 +28,14 @@ Interval product(Interval a, Interval b) {
 // What texels hold: compiler/artefacts.md.
 Interval texel(const Rewriter& rewriter, const Value& channel) {
     const Value* texel = &rewriter.at(channel.operands[0]);
-    if (texel->op == Op::swizzle) texel = &rewriter.at(texel->operands[0]);
+    std::uint32_t stored = channel.index;
+    if (texel->op == Op::swizzle) {
+        stored = ir::swizzle_channels(texel->index)[stored];
+        texel = &rewriter.at(texel->operands[0]);
+    }
     if (texel->op != Op::sample) return {};
     const ir::TextureEncoding encoding = rewriter.texture(*texel).encoding;
-    const bool alpha = encoding == ir::TextureEncoding::color && channel.index == 3;
+    const bool alpha = encoding == ir::TextureEncoding::color && stored == 3;
     return alpha || encoding == ir::TextureEncoding::mask ? kShare : Interval{};
 }
 

@@ -40,6 +40,7 @@ public:
         }
         resolve_one_map();
         resolve_seldom_things();
+        keep_within();
         out_.module.layers.push_back({"one", "normal_map"});
         for (ir::Output output : ir::all_outputs()) {
             const std::vector<ValueId>& values = by_type_[ir::output_type(output)];
@@ -183,6 +184,22 @@ private:
             if (falls_off || op == Op::facing || op == Op::smoothstep) out = id;
         }
         return out;
+    }
+
+    ValueId constant(double number) {
+        const ValueId id = nothing(Type::Scalar);
+        out_.module.values[id.index].number[0] = number;
+        return id;
+    }
+
+    // A number with a bound, or what is computed of it, kept within bounds that it may or may not leave.
+    void keep_within() {
+        ValueId number = bounded();
+        if (!number.valid() || below(4) != 0) return;
+        if (below(2) == 0) number = put(Op::subtract, {constant(1), number});
+        if (below(2) == 0) number = put(Op::multiply, {constant(below(2) == 0 ? 0.5 : -0.5), number});
+        const ValueId least = constant(below(2) == 0 ? 0 : -1), most = constant(1);
+        put(Op::clamp, {number, least, most});
     }
 
     void add(const ir::OpInfo& op) {
