@@ -22,10 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The samples, and of the paper's figures the materials without the GLSL of older methods.
 std::vector<fs::path> samples() {
     std::vector<fs::path> out;
     for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials")) {
         if (entry.path().extension() == ".json") out.push_back(entry.path());
+    }
+    for (const auto& entry : fs::directory_iterator(test::source_dir() / "materials/figures")) {
+        const bool material =
+            entry.path().extension() == ".json" && entry.path().stem().extension() != ".figure";
+        if (material && test::read_file(entry.path()).find("\"custom\"") == std::string::npos)
+            out.push_back(entry.path());
     }
     std::sort(out.begin(), out.end());
     return out;
@@ -34,7 +41,7 @@ std::vector<fs::path> samples() {
 CompileRequest request_for(const fs::path& path) {
     return {.source = std::make_shared<Source>(Source{path.filename().string(), test::read_file(path)}),
             .stem = path.stem().string(),
-            .roots = {path.parent_path()}};
+            .roots = {path.parent_path(), test::source_dir() / "materials"}};
 }
 
 Compiled compile(const fs::path& path, target::Optimise optimise = target::Optimise::speed) {
@@ -80,7 +87,9 @@ KnownLocals known_locals(const std::string& ir_text) {
 void expect_as_by_hand(const NamedText& glsl, const KnownLocals& known) {
     EXPECT_EQ(test::local_used_once(glsl.text, known.all), "") << glsl.name;
     EXPECT_EQ(test::scattered_layer(glsl.text, known.layers, known.nodes), "") << glsl.name;
-    if (glsl.name == "forward.frag") EXPECT_EQ(test::unnamed_layer(glsl.text, known.comments), "");
+    if (glsl.name == "forward.frag") {
+        EXPECT_EQ(test::unnamed_layer(glsl.text, known.comments), "");
+    }
     EXPECT_EQ(test::stuttering_name(glsl.text), "") << glsl.name;
     EXPECT_EQ(test::computed_twice(glsl.text), "") << glsl.name;
     EXPECT_EQ(test::comment_twice(glsl.text), "") << glsl.name;

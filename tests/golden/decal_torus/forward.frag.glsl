@@ -1,0 +1,47 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// a decal on a torus: fragment shader of the entry point 'forward', made by surfgradc.
+
+#include "lighting/ggx.glsl"
+#include "stage/forward.glsl"
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/decal.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_dome;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_color;
+
+void main() {
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+
+    // decal: decal
+    SgDecal m_decal_decal = sg_decal_box(
+        mat4(mat4x3(vec3(1.8181819, 0.0, 0.0), vec3(0.0, 0.0, -1.6666666), vec3(0.0, 1.8181819, 0.0),
+                    vec3(0.0, -1.8181819, 0.33333334))),
+        m_object.p, m_object.dx, m_object.dy);
+    vec3 m_decal =
+        sg_decal_falloff_box(m_decal_decal.local, 0.15) *
+        sg_stage_gradient_from_object(sg_decal_gradient(
+            sg_deriv_green_up(sg_deriv_from_normal_xyz(
+                sg_decode_signed(sg_stage_sample(t_dome, s_0, m_decal_decal.uv).xyz, 127.5))),
+            m_decal_decal));
+
+    SgGgxSurface sg_surface;
+    sg_surface.base_color = vec3(0.45, 0.45, 0.43);
+    sg_surface.metallic = 0.0;
+    sg_surface.roughness = 0.7;
+    sg_surface.occlusion = 1.0;
+    sg_surface.emission = vec3(0.0);
+    sg_out_color = vec4(
+        sg_ggx_radiance(sg_surface, sg_resolve_volume(sg_base_normal(sg_in_normal), m_decal),
+                        sg_stage_lights(sg_in_position)),
+        1.0);
+}

@@ -1,0 +1,100 @@
+// pebbles, not displaced: the material as a function, made by surfgradc.
+// It takes no derivatives and reads nothing but its arguments, so it may be called anywhere.
+// Of SgMaterialInputs it reads these; the others need no value:
+//   position           relative world space (origin at the camera), world units
+//   position_dx        its change per pixel to the right
+//   position_dy        its change per pixel downward
+//   normal             interpolated vertex normal, world axes, any length
+//   uv0                texture coordinate 0, t downward
+//   uv0_dx             its change per pixel to the right
+//   uv0_dy             its change per pixel downward
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/sample.glsl"
+#include "surfgrad/tbn.glsl"
+#include "surfgrad/uv.glsl"
+
+#ifndef SG_MATERIAL_TYPES
+#define SG_MATERIAL_TYPES
+
+struct SgMaterialInputs {
+    vec3 position;            // relative world space (origin at the camera), world units
+    vec3 position_dx;         // its change per pixel to the right
+    vec3 position_dy;         // its change per pixel downward
+    vec3 normal;              // interpolated vertex normal, world axes, any length
+    vec4 tangent;             // interpolated vertex tangent: xyz world axes; w * cross(normal, tangent) points to +t
+    vec4 color;               // interpolated vertex colour, linear
+    float facing;             // +1 on front faces, -1 on back faces
+    float time;               // seconds
+    vec3 object_position;     // object space, object units
+    vec3 object_position_dx;  // its change per pixel to the right
+    vec3 object_position_dy;  // its change per pixel downward
+    vec3 world_position;      // absolute world space, world units
+    vec3 world_position_dx;   // its change per pixel to the right
+    vec3 world_position_dy;   // its change per pixel downward
+    vec3 object_x;            // the object's x axis in world axes: a unit of object space, world units
+    vec3 object_y;            // the object's y axis in world axes: a unit of object space, world units
+    vec3 object_z;            // the object's z axis in world axes: a unit of object space, world units
+    vec3 object_origin;       // the object's origin, relative world space
+    vec3 base_normal_dx;      // change of the unit vertex normal per pixel to the right
+    vec3 base_normal_dy;      // its change per pixel downward
+    vec3 camera_position;     // absolute world space
+    vec4 to_viewer;           // of a perspective 0, 0, 0, 1; else the unit direction to the viewer, world axes, and 0
+    vec4 screen_x;            // first column of the matrix (x px, y px, depth, 1) -> homogeneous relative world space
+    vec4 screen_y;            // its second column
+    vec4 clip_w;              // last row of the matrix from relative world space to clip space
+    vec2 uv0;                 // texture coordinate 0, t downward
+    vec2 uv0_dx;              // its change per pixel to the right
+    vec2 uv0_dy;              // its change per pixel downward
+    vec2 uv1;                 // texture coordinate 1, t downward
+    vec2 uv1_dx;              // its change per pixel to the right
+    vec2 uv1_dy;              // its change per pixel downward
+    vec2 uv2;                 // texture coordinate 2, t downward
+    vec2 uv2_dx;              // its change per pixel to the right
+    vec2 uv2_dy;              // its change per pixel downward
+    vec2 uv3;                 // texture coordinate 3, t downward
+    vec2 uv3_dx;              // its change per pixel to the right
+    vec2 uv3_dy;              // its change per pixel downward
+    vec2 uv4;                 // texture coordinate 4, t downward
+    vec2 uv4_dx;              // its change per pixel to the right
+    vec2 uv4_dy;              // its change per pixel downward
+    vec2 uv5;                 // texture coordinate 5, t downward
+    vec2 uv5_dx;              // its change per pixel to the right
+    vec2 uv5_dy;              // its change per pixel downward
+    vec2 uv6;                 // texture coordinate 6, t downward
+    vec2 uv6_dx;              // its change per pixel to the right
+    vec2 uv6_dy;              // its change per pixel downward
+    vec2 uv7;                 // texture coordinate 7, t downward
+    vec2 uv7_dx;              // its change per pixel to the right
+    vec2 uv7_dy;              // its change per pixel downward
+};
+
+struct SgMaterialResult {
+    vec3 normal;              // resolved unit normal, world axes
+    vec3 base_color;          // linear
+    float metallic;           // 0 to 1
+    float roughness;          // 0 to 1, perceptual: squared it is GGX's alpha
+    float occlusion;          // 1: open
+    vec3 emission;            // linear radiance
+    float opacity;            // 0 to 1
+    float cutoff;             // alpha test: drop the pixel where opacity is less; 0 without one
+};
+
+#endif
+
+SgMaterialResult sg_material_planes_none(SgMaterialInputs sg_inputs, texture2D t_pebble, texture2D t_stone,
+                                         sampler s_0) {
+    vec3 m_base_normal = sg_base_normal(sg_inputs.normal);
+    SgUv m_uv0 = SgUv(sg_inputs.uv0, sg_inputs.uv0_dx, sg_inputs.uv0_dy);
+
+    // stones: normal_map
+    vec3 m_stones = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_pebble, s_0, m_uv0).xyz, 127.0))),
+        sg_basis_uv(sg_frame(sg_inputs.position, sg_inputs.position_dx, sg_inputs.position_dy, m_base_normal),
+                    m_uv0));
+
+    return SgMaterialResult(sg_resolve(m_base_normal, m_stones), sg_sample(t_stone, s_0, m_uv0).rgb, 0.0, 0.8,
+                            1.0, vec3(0.0), 1.0, 0.0);
+}

@@ -1,0 +1,54 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// rock, triplanar: fragment shader of the entry point 'debug', made by surfgradc.
+
+#include "stage/debug.glsl"
+#include "stage/fragment.glsl"
+#include "stage/object.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/from_volume.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/triplanar.glsl"
+#include "surfgrad/volume.glsl"
+
+layout(set = 1, binding = 1) uniform texture2D t_pebble;
+layout(set = 1, binding = 2) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 12) in vec3 sg_in_object_position;
+layout(location = 0) out vec4 sg_out_value;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgVolume m_object = sg_stage_volume(sg_in_object_position);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    // gravel: triplanar
+    SgTriplanarUv m_gravel_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 6.0), SG_RIGHT_HAND,
+                                                           SG_UPPER_LEFT);
+    vec3 m_gravel_gradient = 0.8 * sg_stage_gradient_from_object(sg_triplanar_gradient(
+        sg_triplanar_weights(sg_stage_object_normal(m_base_normal), 3.0),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.x).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.y).xyz, 127.0))),
+        sg_deriv_green_up(sg_deriv_from_normal_xyz(
+            sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.z).xyz, 127.0))),
+        SG_RIGHT_HAND, SG_UPPER_LEFT));
+    vec3 m_gravel = sg_surfgrad_from_volume(m_base_normal, m_gravel_gradient);
+
+    vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
+    sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
+    sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
+    sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
+    sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_gravel);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_base_normal, m_gravel_gradient));  // normal
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_gravel);  // layer:gravel
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.dy);  // object-position-dy
+    sg_out_value = sg_shown;
+}

@@ -1,0 +1,42 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// square: fragment shader of the entry point 'debug', made by surfgradc.
+
+#include "stage/debug.glsl"
+#include "stage/fragment.glsl"
+#include "surfgrad/deriv.glsl"
+#include "surfgrad/frame.glsl"
+#include "surfgrad/resolve.glsl"
+#include "surfgrad/tbn.glsl"
+
+layout(set = 1, binding = 2) uniform texture2D t_pebble;
+layout(set = 1, binding = 3) uniform sampler s_0;
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 4) in vec2 sg_in_uv0;
+layout(location = 0) out vec4 sg_out_value;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+    SgUv m_uv0 = sg_stage_uv(sg_in_uv0);
+
+    // map: normal_map
+    vec3 m_map = sg_surfgrad_from_tbn(
+        sg_deriv_green_up(
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_uv0).xyz, 127.0))),
+        sg_basis_uv(m_frame, m_uv0));
+
+    vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
+    sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
+    sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
+    sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
+    sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
+    sg_shown = sg_stage_select(sg_shown, 4.0, m_map);  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_map));  // normal
+    sg_shown = sg_stage_select(sg_shown, 6.0, m_map);  // layer:map
+    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_out_value = sg_shown;
+}

@@ -1,0 +1,17 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// square without its map: vertex shader of the entry point 'gbuffer', made by surfgradc.
+
+#include "stage/vertex.glsl"
+
+layout(location = 0) in vec3 sg_vertex_position;
+layout(location = 1) in vec3 sg_vertex_normal;
+layout(location = 4) in vec2 sg_vertex_uv0;
+layout(location = 1) out vec3 sg_out_normal;
+layout(location = 4) out vec2 sg_out_uv0;
+
+void main() {
+    sg_out_normal = sg_stage_normal(sg_vertex_normal);
+    sg_out_uv0 = sg_vertex_uv0;
+    gl_Position = sg_stage_clip(sg_stage_position(sg_vertex_position));
+}

@@ -1,0 +1,25 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// flat wall: fragment shader of the entry point 'debug', made by surfgradc.
+
+#include "stage/debug.glsl"
+#include "stage/fragment.glsl"
+#include "surfgrad/frame.glsl"
+
+layout(location = 0) in vec3 sg_in_position;
+layout(location = 1) in vec3 sg_in_normal;
+layout(location = 0) out vec4 sg_out_value;
+
+void main() {
+    vec3 m_base_normal = sg_base_normal(sg_in_normal);
+    SgFrame m_frame = sg_stage_frame(sg_in_position, m_base_normal);
+
+    vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
+    sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
+    sg_shown = sg_stage_select(sg_shown, 1.0, m_frame.normal);  // base-normal
+    sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
+    sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
+    sg_shown = sg_stage_select(sg_shown, 4.0, vec3(0.0));  // gradient
+    sg_shown = sg_stage_select(sg_shown, 5.0, m_base_normal);  // normal
+    sg_out_value = sg_shown;
+}
