@@ -115,24 +115,43 @@ private:
         return id;
     }
 
-    // In one of 32 modules each, for they take the place of other outputs: a noise with a strength, and a
-    // part of the way to another normal.
+    // In one of 32 modules each, for they take the place of other outputs: what chance seldom brings together.
     void resolve_seldom_things() {
-        const std::vector<ValueId>&noises = by_type_[Type::Noise], &numbers = by_type_[Type::Scalar];
-        const std::vector<ValueId>& normals = by_type_[Type::Normal];
+        const std::vector<ValueId>&numbers = by_type_[Type::Scalar], &normals = by_type_[Type::Normal];
         const std::size_t which = below(32);
-        if (which > 1 || numbers.empty() || normals.empty()) return;
-        const ValueId n = pick(normals), wanted = pick(normals), part = pick(numbers);
+        if (which > 3 || numbers.empty() || normals.empty()) return;
+        const ValueId n = pick(normals), part = pick(numbers);
         if (which == 0) {
-            const ValueId direction = put(Op::direction_of, {wanted});
-            const ValueId gradient = put(Op::surfgrad_from_normal, {n, direction});
-            put(Op::resolve, {n, put(Op::mask_surfgrad, {gradient, part})});
-        } else if (!noises.empty()) {
-            const ValueId local = put(Op::noise_gradient, {pick(numbers), pick(noises)});
-            const Op turn = below(2) == 0 ? Op::gradient_from_object : Op::gradient_from_world;
-            const ValueId scaled = put(Op::scale_volgrad, {part, put(turn, {local})});
-            put(Op::resolve, {n, put(Op::surfgrad_from_volume, {n, scaled})});
+            resolve_part_of_a_normal(n, part);
+        } else if (which == 1) {
+            resolve_noise(n, part);
+        } else if (!by_type_[Type::VolGrad].empty()) {
+            resolve_two_projections(n, part, which == 2);
         }
+    }
+
+    void resolve_part_of_a_normal(ValueId n, ValueId part) {
+        const ValueId direction = put(Op::direction_of, {pick(by_type_[Type::Normal])});
+        const ValueId gradient = put(Op::surfgrad_from_normal, {n, direction});
+        put(Op::resolve, {n, put(Op::mask_surfgrad, {gradient, part})});
+    }
+
+    void resolve_noise(ValueId n, ValueId strength) {
+        if (by_type_[Type::Noise].empty()) return;
+        const ValueId noise = pick(by_type_[Type::Noise]);
+        const ValueId local = put(Op::noise_gradient, {pick(by_type_[Type::Scalar]), noise});
+        const Op turn = below(2) == 0 ? Op::gradient_from_object : Op::gradient_from_world;
+        const ValueId scaled = put(Op::scale_volgrad, {strength, put(turn, {local})});
+        put(Op::resolve, {n, put(Op::surfgrad_from_volume, {n, scaled})});
+    }
+
+    // Mixed, or the first of them by itself under a factor of nothing and added.
+    void resolve_two_projections(ValueId n, ValueId part, bool mixed) {
+        const ValueId first = pick(by_type_[Type::VolGrad]), second = pick(by_type_[Type::VolGrad]);
+        const ValueId scaled = mixed ? first : put(Op::scale_volgrad, {constant(0), first});
+        const ValueId a = put(Op::surfgrad_from_volume, {n, scaled});
+        const ValueId b = put(Op::surfgrad_from_volume, {n, second});
+        put(Op::resolve, {n, mixed ? put(Op::mix_surfgrad, {a, b, part}) : put(Op::add_surfgrad, {a, b})});
     }
 
     // Coordinates and bases, which many rules look at, more often than the rest.
