@@ -305,6 +305,7 @@ Rows parallax_and_legacy_rows() {
 
 Rows lighting_rows() {
     return {
+        Row{"sg_sin2_between", ref::sin2_between},
         Row{"sg_ggx_distribution", ref::ggx_distribution},
         Row{"sg_ggx_visibility", ref::ggx_visibility},
         Row{"sg_fresnel", ref::fresnel},

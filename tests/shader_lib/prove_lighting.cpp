@@ -22,13 +22,31 @@ std::string below(const In& out, double least) {
 
 // ---- the parts of GGX ----
 
-// What a rounding of 1 - (1 - alpha^2) cos^2 is divided by.
-double narrowness(double cos_h, double alpha) {
-    return 1.0 / (alpha * alpha * cos_h * cos_h + (1.0 - cos_h * cos_h));
+// Two directions at any angle, half of them close.
+void draw_two_directions(Random& random, Draw& in) {
+    const glm::dvec3 a = random.direction();
+    in.put(0, a);
+    in.put(3, random.coin() ? random.direction()
+                            : glm::normalize(a + random.magnitude(1e-6, 1.0) * random.direction()));
 }
 
 std::vector<Case> parts() {
     return {
+        {.name = "sin2_between",
+         .include = kGgx,
+         .inputs = 6,
+         .outputs = 1,
+         .glsl = "put(0, sg_sin2_between(v3(0), v3(3)));",
+         .draw = draw_two_directions,
+         .reference = [](const In& in, Expect& out) { out.put(0, ref::sin2_between(in.v3(0), in.v3(3))); },
+         // c2: a difference, which counts twice, a product and two sums, 5; what follows 2, for c2 / 4 is at
+         // most 1/2; lengths are a rounding from 1: 2 for c2, 4 for the reference. Doubled. Lengths that
+         // differ by two roundings make a chord of nothing as long.
+         .bound = {.absolute = 2 * 4 * kUlp * kUlp, .relative = 2 * 13 * kUlp},
+         .property = [](const In&, const In& out) { return out[0] <= 1.0 ? below(out, 0.0) : "above 1"; },
+         .mutants = {{kGgx, "c2 - 0.25 * c2 * c2", "c2"},
+                     {kGgx, "chord = a - b", "chord = a + b"},
+                     {kGgx, "min(dot(chord, chord), 2.0)", "dot(chord, chord)"}}},
         {.name = "ggx_distribution",
          .include = kGgx,
          .inputs = 2,
@@ -36,13 +54,12 @@ std::vector<Case> parts() {
          .glsl = "put(0, sg_ggx_distribution(f(0), f(1)));",
          .draw =
              [](Random& random, Draw& in) {
-                 in.put(0, random.coin() ? random.uniform(0.0, 1.0) : 1.0 - random.magnitude(1e-6, 1e-1));
+                 in.put(0, random.coin() ? random.uniform(0.0, 1.0) : random.magnitude(1e-9, 1.0));
                  in.put(1, random.magnitude(2e-3, 1.0));
              },
          .reference = [](const In& in, Expect& out) { out.put(0, ref::ggx_distribution(in[0], in[1])); },
-         // f has 5 roundings of numbers up to 1 and counts twice; 4 more; doubled.
-         .bound = {.relative = 2 * 14 * kUlp},
-         .condition = [](const In& in) { return narrowness(in[0], in[1]); },
+         // f has 4 roundings of terms up to f itself, which count twice; 5 more; doubled.
+         .bound = {.relative = 2 * 13 * kUlp},
          .property = [](const In&, const In& out) { return below(out, 1e-7); },
          .mutants = {{kGgx, "/ (3.14159265 * f * f)", "/ (3.14159265 * f)"},
                      {kGgx, "return a2 /", "return alpha /"}}},
@@ -90,8 +107,17 @@ void draw_ggx(Random& random, Draw& in) {
     in.put(6, glm::dvec3(0.5) + random.within(0.5));
     const glm::dvec3 n = random.direction();
     in.put(9, n);
-    for (std::size_t k : {12, 15})
-        in.put(k, random.coin() ? random.direction() : glm::normalize(n + random.within(0.7)));
+    auto direction = [&] {
+        return random.coin() ? random.direction() : glm::normalize(n + random.within(0.7));
+    };
+    const glm::dvec3 view = direction();
+    in.put(12, view);
+    in.put(15, direction());
+    if (random.below(3) == 0) {  // within a sharp highlight
+        const glm::dvec3 mirrored = glm::reflect(-view, n);
+        in.put(15, glm::normalize(mirrored + random.magnitude(1e-4, 1.0) * random.direction()));
+        in.put(4, random.magnitude(0.02, 0.5));
+    }
     for (std::size_t k : {18, 21}) in.put(k, glm::dvec3(0.5) + random.within(0.5));
 }
 ref::GgxSurface ggx_surface(const In& in) {
@@ -99,8 +125,8 @@ ref::GgxSurface ggx_surface(const In& in) {
 }
 
 // Roundings in units of kGgxRoundings. The base: Fresnel 10, cosine 4. The mirrored part: those and
-// visibility 10; what 4 in cos_l and cos_v do; the distribution, which is divided by the square of f: twice 5
-// and twice the 9 of cos_h twice. The half vector is as good as the sum that it is made of is long.
+// visibility 10; what 4 in cos_l and cos_v do; the distribution: 13, twice the 9 of sin2, and what the 5 of
+// the half vector's components do to it: twice 5 chords, relative to f, which counts twice.
 constexpr double kGgxRoundings = 16;
 double ggx_condition(const In& in) {
     const glm::dvec3 sum = in.v3(12) + in.v3(15), n = in.v3(9);
@@ -109,9 +135,10 @@ double ggx_condition(const In& in) {
     const double alpha = std::max(in[4] * in[4], 2e-3);
     const double cos_l = glm::clamp(glm::dot(n, in.v3(15)), 0.0, 1.0);
     const double cos_v = std::abs(glm::dot(n, in.v3(12))) + 1e-4;
-    const double cos_h = glm::clamp(glm::dot(n, sum) / length, 0.0, 1.0);
-    const double lobe = kPi * ref::ggx_distribution(cos_h, alpha) * ref::ggx_visibility(cos_l, cos_v, alpha);
-    const double distribution = (1.0 + 1.0 / length) * narrowness(cos_h, alpha) * 46.0 / kGgxRoundings;
+    const double sin2 = ref::sin2_between(n, sum / length), chord = glm::distance(n, sum / length);
+    const double lobe = kPi * ref::ggx_distribution(sin2, alpha) * ref::ggx_visibility(cos_l, cos_v, alpha);
+    const double f = sin2 + alpha * alpha * (1.0 - sin2);
+    const double distribution = (31.0 + 20.0 * chord / f) / kGgxRoundings;
     return 1.0 + lobe * (1.0 + cos_l * (2.0 + 1.0 / cos_v + distribution));
 }
 

@@ -20,11 +20,16 @@ dvec3 straight_on(const GgxSurface& surface) {
 
 }  // namespace
 
+double sin2_between(dvec3 a, dvec3 b) {
+    const dvec3 area = glm::cross(a, b);
+    return glm::dot(a, b) > 0.0 ? share(glm::dot(area, area)) : 1.0;
+}
+
 // Walter's Eq 33 is written in the angle: alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2) = alpha^2 / (pi (alpha^2
 // cos^2 + sin^2)^2).
-double ggx_distribution(double cos_h, double alpha) {
-    const double a2 = alpha * alpha, square = cos_h * cos_h;
-    return a2 / (std::numbers::pi * std::pow(a2 * square + (1.0 - square), 2));
+double ggx_distribution(double sin2_h, double alpha) {
+    const double a2 = alpha * alpha;
+    return a2 / (std::numbers::pi * std::pow(a2 * (1.0 - sin2_h) + sin2_h, 2));
 }
 
 // 4 cos_l cos_v / G = 2 (cos_v |l| + cos_l |v|), where |x| is the length of a vector that is x high and alpha
@@ -43,7 +48,7 @@ dvec3 ggx(const GgxSurface& surface, dvec3 n, dvec3 view, dvec3 light, dvec3 rad
     const double cos_l = share(glm::dot(n, light)), cos_v = std::abs(glm::dot(n, view)) + 1e-4;
     const double alpha = std::max(surface.roughness * surface.roughness, 2e-3);
     const dvec3 mirrored = fresnel(straight_on(surface), share(glm::dot(light, h)));
-    const double lobe = ggx_distribution(share(glm::dot(n, h)), alpha) * ggx_visibility(cos_l, cos_v, alpha);
+    const double lobe = ggx_distribution(sin2_between(n, h), alpha) * ggx_visibility(cos_l, cos_v, alpha);
     const dvec3 base = (dvec3(1.0) - mirrored) * (1.0 - surface.metallic) * surface.base_color;
     return cos_l * radiance * (base + std::numbers::pi * lobe * mirrored);
 }

@@ -14,7 +14,8 @@ struct GgxSurface {
     double metallic = 0.0, roughness = 0.5, occlusion = 1.0;
     dvec3 emission;
 };
-double ggx_distribution(double cos_h, double alpha);
+double sin2_between(dvec3 a, dvec3 b);  // unit vectors; 1 from 90 degrees on
+double ggx_distribution(double sin2_h, double alpha);
 double ggx_visibility(double cos_l, double cos_v, double alpha);
 dvec3 fresnel(dvec3 f0, double cos_d);
 dvec3 ggx(const GgxSurface& surface, dvec3 n, dvec3 view, dvec3 light, dvec3 radiance);
