@@ -264,7 +264,8 @@ void Body::begin_paragraph(std::span<const ir::LayerId> layers) {
     if (!text_.empty()) text_ += "\n";
     for (ir::LayerId layer : layers) {
         const ir::Layer& info = module_.layers[layer.index];
-        text_ += fmt::format("    // {}: {}\n", comment_text(info.id), info.kind);
+        const std::string within = info.group.empty() ? "" : " in " + comment_text(info.group);
+        text_ += fmt::format("    // {}: {}{}\n", comment_text(info.id), info.kind, within);
     }
 }
 

@@ -144,6 +144,7 @@ struct Function {
 struct Layer {
     std::string id;
     std::string kind;
+    std::string group = {};  // the ids of the groups that it stands in, "outer/inner"; "" for none
 };
 using LayerId = Id<Layer>;
 

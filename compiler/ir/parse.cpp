@@ -210,6 +210,12 @@ private:
 
     LayerId named_layer(LineReader& in) {
         Layer found{in.quoted('"'), std::string(in.word())};
+        in.skip_blanks();
+        if (in.rest.starts_with("in ")) {
+            in.word();
+            in.skip_blanks();
+            found.group = in.quoted('"');
+        }
         auto i = index_of(module.layers, found.id, [](const Layer& l) { return std::string_view(l.id); });
         if (!i) module.layers.push_back(found);
         return {static_cast<std::uint32_t>(i.value_or(module.layers.size() - 1))};

@@ -39,6 +39,11 @@ std::string value_line(std::size_t i, const Value& value) {
     return line + "\n";
 }
 
+std::string layer_line(const Layer& layer) {
+    const std::string within = layer.group.empty() ? "" : " in " + quoted(layer.group, '"');
+    return fmt::format("layer {} {}{}\n", quoted(layer.id, '"'), layer.kind, within);
+}
+
 }  // namespace
 
 std::string print(const Module& module) {
@@ -78,10 +83,7 @@ std::string print(const Module& module) {
         const Value& value = module.values[i];
         if (value.layer != current) {
             current = value.layer;
-            out += current.valid()
-                       ? fmt::format("layer {} {}\n", quoted(module.layers[current.index].id, '"'),
-                                     module.layers[current.index].kind)
-                       : "layer none\n";
+            out += current.valid() ? layer_line(module.layers[current.index]) : "layer none\n";
         }
         out += value_line(i, value);
     }

@@ -10,6 +10,7 @@
 //   function 0 "dents" 0 Uv texture 0 of a shader, with its arguments
 //   %0 = position : Position
 //   layer "scan" normal_map           values from here on belong to this layer
+//   layer "wood" noise in "floor"     likewise, within a group
 //   %1 = uv_set 0 : Uv                attribute Set
 //   %2 = sample 0 %1 : Texel 'texel'  attribute Texture, operands, a name hint
 //   %3 = decode_normal_xyz 127.5 %2 : TangentNormal

@@ -61,8 +61,14 @@ private:
         return out;
     }
 
-    ir::LayerId declared(const std::string& id, std::string_view kind) {
-        module_.layers.push_back({id, std::string(kind)});
+    // `group`: that it stands in.
+    ir::LayerId declared(const std::string& id, std::string_view kind, ir::LayerId group = {}) {
+        std::string of;
+        if (group.valid()) {
+            const ir::Layer& outer = module_.layers[group.index];
+            of = outer.group + (outer.group.empty() ? "" : "/") + outer.id;
+        }
+        module_.layers.push_back({id, std::string(kind), std::move(of)});
         return {static_cast<std::uint32_t>(module_.layers.size() - 1)};
     }
 
@@ -83,7 +89,7 @@ private:
     ValueId sum(const std::vector<CheckedLayer>& layers, ir::LayerId own = {}) {
         ValueId total;
         for (const CheckedLayer& layer : layers) {
-            auto [g, coverage] = scaled(layer);
+            auto [g, coverage] = scaled(layer, own);
             ValueId share = share_of(layer, coverage);
             ValueId masked = share.valid() ? builder_.add(Op::mask_surfgrad, {g, share}) : g;
             show(layer, masked);
@@ -124,19 +130,19 @@ private:
     }
 
     // A layer's gradient times its strength, and what it covers.
-    layers::Covered scaled(const CheckedLayer& layer) {
+    layers::Covered scaled(const CheckedLayer& layer, ir::LayerId group) {
         layers::Covered made;
         if (custom_ == Custom::replaced && !layer.equivalent.empty()) {
             made.gradient = sum(layer.equivalent);
         } else if (layer.kind) {
-            context_.set_layer(declared(layer.id, layer.kind->name));
+            context_.set_layer(declared(layer.id, layer.kind->name, group));
             const layers::LayerKind& kind = *layer.kind;
             context_.follow_parallax(layers::follows_parallax(layer.values));
             made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}}
                               : kind.lower_covered(context_, layer.values);
             context_.follow_parallax(true);
         } else {
-            const ir::LayerId own = declared(layer.id, "group");
+            const ir::LayerId own = declared(layer.id, "group", group);
             made.gradient = sum(layer.group, own);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];

@@ -74,7 +74,8 @@ KnownLocals known_locals(const std::string& ir_text) {
     KnownLocals out;
     for (const ir::Layer& layer : module->layers) {
         out.layers.insert(emit::Names().unique("m_", layer.id));
-        out.comments.insert(fmt::format("{}: {}", emit::comment_text(layer.id), layer.kind));
+        out.comments.insert(fmt::format("{}: {}{}{}", emit::comment_text(layer.id), layer.kind,
+                                        layer.group.empty() ? "" : " in ", emit::comment_text(layer.group)));
     }
     for (const ir::Value& value : module->values) {
         if (value.is_node) out.nodes.insert(emit::Names().unique("m_", value.name));

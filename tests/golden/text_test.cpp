@@ -154,10 +154,16 @@ TEST(Text, AGroupHasItsComment) {
         R"({ "id": "crust", "kind": "group", "strength": 0.5, "layers": [
             { "id": "a", "kind": "noise", "frequency": 3 }, { "id": "b", "kind": "noise", "frequency": 7 } ] })";
     const std::string main = Text(entry(R"({ "id": "c", "kind": "noise" }, )" + group)).main();
-    const std::size_t a = main.find("    // a: noise\n"), b = main.find("    // b: noise\n");
+    const std::size_t a = main.find("    // a: noise in crust\n"),
+                      b = main.find("    // b: noise in crust\n");
     const std::size_t crust = main.find("    // crust: group\n    vec3 m_crust = ");
     EXPECT_TRUE(a < b && b < crust && crust != std::string::npos) << main;
     EXPECT_NE(main.find("m_c + m_crust"), std::string::npos) << main;
+    // A group of one has no value of its own.
+    const std::string one = R"({ "id": "crust", "kind": "group", "mask": 0.5, "layers": [
+        { "id": "inner", "kind": "group", "layers": [ { "id": "a", "kind": "noise" } ] } ] })";
+    EXPECT_NE(Text(entry(one)).main().find("    // a: noise in crust/inner\n    vec3 m_a = "),
+              std::string::npos);
 }
 
 TEST(Text, AParallaxHasItsComment) {

@@ -62,13 +62,13 @@ void main() {
                 sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.z).xyz, 127.0))),
             SG_RIGHT_HAND, SG_UPPER_LEFT)));
 
-    // fuzz: noise
+    // fuzz: noise in wet moss
     vec3 m_fuzz = sg_surfgrad_from_volume(
         m_macro_normal,
         sg_stage_gradient_from_object(
             0.16 * sg_volume_fractal_sum(sg_volume_scale(m_object, 40.0), 3).gradient));
 
-    // slime: normal_map
+    // slime: normal_map in wet moss
     vec3 m_slime = sg_surfgrad_from_tbn(
         0.3 * sg_deriv_from_normal_xy(
             sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(4.0))).xy, 127.5)),

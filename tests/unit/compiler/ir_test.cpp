@@ -21,7 +21,7 @@ parameter 0 "p" : Scalar
 parameter 1 "tint" : Color
 %0 = uv_set 3 : Uv 'uv3'
 %1 = vertex_normal : VertexNormal
-layer "one's \"id\"" normal_map
+layer "one's \"id\"" normal_map in "outer/\"inner\""
 %2 = constant 2 -0.1 : Vec2
 %3 = uv_scale %0 %2 : Uv 'uv'
 %4 = sample 1 %3 : Texel
