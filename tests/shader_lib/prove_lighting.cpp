@@ -127,6 +127,8 @@ ref::GgxSurface ggx_surface(const In& in) {
 // Roundings in units of kGgxRoundings. The base: Fresnel 10, cosine 4. The mirrored part: those and
 // visibility 10; what 4 in cos_l and cos_v do; the distribution: 13, twice the 9 of sin2, and what the 5 of
 // the half vector's components do to it: twice 5 chords, relative to f, which counts twice.
+// Half the diagonal of view and light is cos_d if both are as long: each is within a rounding, which the
+// length divides and the fifth power has five times.
 constexpr double kGgxRoundings = 16;
 double ggx_condition(const In& in) {
     const glm::dvec3 sum = in.v3(12) + in.v3(15), n = in.v3(9);
@@ -139,7 +141,8 @@ double ggx_condition(const In& in) {
     const double lobe = kPi * ref::ggx_distribution(sin2, alpha) * ref::ggx_visibility(cos_l, cos_v, alpha);
     const double f = sin2 + alpha * alpha * (1.0 - sin2);
     const double distribution = (31.0 + 20.0 * chord / f) / kGgxRoundings;
-    return 1.0 + lobe * (1.0 + cos_l * (2.0 + 1.0 / cos_v + distribution));
+    const double diagonal = 2.0 * 5.0 / length / kGgxRoundings;
+    return 1.0 + diagonal + lobe * (1.0 + cos_l * (2.0 + 1.0 / cos_v + diagonal + distribution));
 }
 
 std::vector<Case> ggx() {
@@ -160,8 +163,9 @@ std::vector<Case> ggx() {
         .property = [](const In&, const In& out) { return below(out, 0.0); },
         .mutants = {{kGgx, "surface.roughness * surface.roughness", "surface.roughness"},
                     {kGgx, "(1.0 - surface.metallic) *", ""},
-                    {kGgx, "vec3(0.04), surface.base_color, surface.metallic);\n    vec3 fresnel",
-                     "vec3(0.0), surface.base_color, surface.metallic);\n    vec3 fresnel"}}};
+                    {kGgx, "mix(vec3(0.04)", "mix(vec3(0.0)"},
+                    {kGgx, "0.5 * length2 * per_length", "length2 * per_length"},
+                    {kGgx, "mix(base, vec3(lobe), fresnel)", "base + fresnel * lobe"}}};
     Case whole = direct;
     whole.name = "ggx_radiance";
     whole.glsl =
