@@ -281,7 +281,7 @@ Expression read_call(const std::vector<Node>& items, const Known& known) {
 
 Expression read_expression(const Node& node, const Known& known) {
     constexpr double kMax = 1e300;
-    if (node.is_number()) return {.numbers = {{node.number(-kMax, kMax)}, 1}};
+    if (node.is_number()) return {.numbers = {{stored(node.number(-kMax, kMax))}, 1}};
     if (!node.is_array()) return read_reference(node, known, false);
     const std::vector<Node> items = node.items();
     if (items.empty() || items.size() > 4) {
@@ -291,7 +291,7 @@ Expression read_expression(const Node& node, const Known& known) {
     if (!items[0].is_number()) return read_call(items, known);
     Expression out;
     out.numbers.count = items.size();
-    for (std::size_t i = 0; i < items.size(); ++i) out.numbers.at[i] = items[i].number(-kMax, kMax);
+    for (std::size_t i = 0; i < items.size(); ++i) out.numbers.at[i] = stored(items[i].number(-kMax, kMax));
     return out;
 }
 

@@ -100,6 +100,15 @@ Datum datum_of(Type type, std::span<const double> number) {
     }
 }
 
+Module with_stored_numbers(Module module) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    for (Value& value : module.host) {
+        for (double& number : value.number)
+            number = static_cast<float>(std::clamp(number, -kLargest, kLargest));
+    }
+    return module;
+}
+
 std::vector<Datum> derived_values(const Module& module, const Bindings& bindings) {
     const PixelInputs nowhere;
     std::vector<Datum> host, out;

@@ -100,6 +100,9 @@ struct Bindings {
 // its columns.
 Datum datum_of(Type type, std::span<const double> number);
 
+// The module with the host's numbers as the manifest has them: 32-bit floats, as those of the shader are, so
+// that 0.7 is no larger than a parameter of 0.7.
+Module with_stored_numbers(Module module);
 // What the host computes from the parameters, by Value::index of Op::derived.
 std::vector<Datum> derived_values(const Module& module, const Bindings& bindings);
 

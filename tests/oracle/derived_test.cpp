@@ -188,7 +188,7 @@ TEST(Derived, BytesExpressionsAndInterpreterAgree) {
         for (int round = 0; round < 3; ++round) {
             const auto bytes = packed(s.artefact, random_settings(random));
             const ir::Bindings bindings = bindings_of(s, bytes);
-            const auto values = ir::derived_values(s.optimised, bindings);
+            const auto values = ir::derived_values(ir::with_stored_numbers(s.optimised), bindings);
             for (std::size_t k = 0; k < values.size(); ++k) {
                 const auto numbers = ir::components(values[k]);
                 for (std::size_t c = 0; c < numbers.size(); ++c) {
@@ -250,6 +250,21 @@ TEST(Derived, WrongExpressionsAreNoticed) {
     }
 }
 
+// The shader compares two floats: 0.7 is not below a parameter of 0.7, though the number 0.7 is above that.
+TEST(Derived, NumbersAreThoseOfTheShader) {
+    const Subject s = compile(R"({
+      "version": 1,
+      "parameters": { "wet": { "type": "float", "default": 0.7, "range": [0, 1] } },
+      "surface": { "metallic": { "op": "smoothstep", "low": 0.7, "high": 0.7, "x": "$wet" } } })");
+    const Json& derived = s.manifest.at("parameter_block").at("derived")[0];
+    EXPECT_EQ(derived.at("expression").dump(), R"(["smoothstep",0.7,0.7,"$wet"])");
+    EXPECT_EQ(derived.at("default").dump(), "[1.0]");
+    const std::size_t at = s.artefact.parameters->derived[0].offset;
+    EXPECT_EQ(float_at(packed(s.artefact), at), 1.0f);
+    EXPECT_EQ(float_at(packed(s.artefact, {"wet=0.7"}), at), 1.0f);
+    EXPECT_EQ(float_at(packed(s.artefact, {"wet=0.6999999"}), at), 0.0f);
+}
+
 // ---- the rows of a matrix ----
 
 constexpr const char* kThrown = R"({
@@ -280,7 +295,7 @@ TEST(Derived, DirectionsOfADecalAreRowsOfItsMatrix) {
         for (int i = 0; i < 16; ++i)
             setting += fmt::format("{}{}", i > 0 ? "," : "", round > 0 && i < 15 ? number(random) : i == 15);
         const auto bytes = packed(s.artefact, {setting});
-        const auto values = ir::derived_values(s.optimised, bindings_of(s, bytes));
+        const auto values = ir::derived_values(ir::with_stored_numbers(s.optimised), bindings_of(s, bytes));
         ASSERT_EQ(values.size(), 2u);
         for (std::size_t k = 0; k < 2; ++k) {
             const glm::dvec3 expected = unit_row(bytes, k);
