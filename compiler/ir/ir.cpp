@@ -122,9 +122,11 @@ std::span<const OpInfo> all_ops() {
     return ops();
 }
 
+bool is_interpolated(Output output) {
+    return output == Output::uv || output == Output::volume || output == Output::moved_uv;
+}
 bool is_numbered(Output output) {
-    return output == Output::uv || output == Output::volume || output == Output::moved_uv ||
-           output == Output::layer;
+    return is_interpolated(output) || output == Output::layer;
 }
 std::string_view output_name(Output output) {
     return kOutputs[static_cast<std::size_t>(output)].name;

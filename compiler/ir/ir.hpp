@@ -199,6 +199,8 @@ struct OutputBinding {
     ValueId value;
     bool operator==(const OutputBinding&) const = default;
 };
+// Whether the vertex stage hands it over, as it is or moved by parallax.
+bool is_interpolated(Output output);
 // Whether OutputBinding::set counts.
 bool is_numbered(Output output);
 std::string_view output_name(Output output);

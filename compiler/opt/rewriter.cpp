@@ -129,22 +129,27 @@ ir::Module compact(ir::Module module) {
     return compact(std::move(module), renamed);
 }
 
-// A layer by itself is shown as long as it bumps, and reads no texture and no parameter that nothing else
-// does: so the debug entry asks for no more than the others.
+// What a value asks the outside for: an input, a texel, a noise, a function of the user. Of its texture,
+// surfgrad_from_height asks the size alone.
+bool is_source(const ir::Module& module, const Value& value) {
+    const bool input = value.operands.empty() && value.op != Op::constant && value.op != Op::zero_surfgrad;
+    const bool reads = value.op != Op::surfgrad_from_height && !ir::textures_of(module, value).empty();
+    return input || reads || value.type == ir::Type::Noise ||
+           ir::info(value.op).attribute == ir::Attribute::Function;
+}
+
+// A layer by itself is shown as long as it bumps and some normal needs it: so the debug entry asks for no
+// more than the others.
 void drop_dead_layers(ir::Module& module) {
     auto is_layer = [](const ir::OutputBinding& o) { return o.output == ir::Output::layer; };
     ir::Module without = module;
     std::erase_if(without.outputs, is_layer);
-    std::vector<bool> textures(module.textures.size()), parameters(module.parameters.size());
-    for (const Value& value : compact(std::move(without)).values) {
-        for (std::uint32_t texture : ir::textures_of(module, value)) textures[texture] = true;
-        if (value.op == Op::parameter) parameters[value.index] = true;
-    }
+    std::vector<ValueId> needed;
+    compact(std::move(without), needed);
     std::vector<bool> asks(module.values.size(), false);  // for more than the others
     for (std::size_t i = 0; i < module.values.size(); ++i) {
         const Value& value = module.values[i];
-        asks[i] = value.op == Op::parameter && !parameters[value.index];
-        for (std::uint32_t texture : ir::textures_of(module, value)) asks[i] = asks[i] || !textures[texture];
+        asks[i] = !needed[i].valid() && is_source(module, value);
         for (ValueId operand : value.operands) asks[i] = asks[i] || asks[operand.index];
     }
     std::erase_if(module.outputs, [&](const ir::OutputBinding& o) {
@@ -212,7 +217,7 @@ ir::Module optimise(const ir::Module& module, std::string_view skipped_rule, Log
     drop_dead_layers(out);
     // What the vertex stage hands over is worth showing only while some layer needs them.
     auto only_shown = [&](const ir::OutputBinding& o) {
-        return is_numbered(o.output) || o.output == ir::Output::basis_vertex ||
+        return is_interpolated(o.output) || o.output == ir::Output::basis_vertex ||
                o.output == ir::Output::vertex_color || o.output == ir::Output::normal_derivatives;
     };
     ir::Module needed = out;

@@ -155,6 +155,22 @@ TEST_P(Sample, NoDerivativeInstructionStandsBehindParallax) {
     }
 }
 
+// No sample has a layer that adds nothing.
+TEST_P(Sample, EveryLayerHasItsView) {
+    auto views = [](const std::string& text) {
+        std::string fault;
+        const auto module = ir::parse(text, fault);
+        EXPECT_TRUE(module) << fault;
+        std::vector<std::uint32_t> out;
+        for (const ir::OutputBinding& o : module->outputs) {
+            if (o.output == ir::Output::layer) out.push_back(o.set);
+        }
+        return out;
+    };
+    const Compiled compiled = compile(GetParam());
+    EXPECT_EQ(views(compiled.optimised_ir), views(compiled.ir));
+}
+
 TEST_P(Sample, SameBytesTwice) {
     EXPECT_EQ(compile(GetParam()).files, compile(GetParam()).files);
 }

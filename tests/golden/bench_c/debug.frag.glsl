@@ -12,6 +12,7 @@
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
 #include "surfgrad/from_normal.glsl"
+#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -130,33 +131,41 @@ void main() {
     // weave: triplanar
     SgTriplanarUv m_weave_planes = sg_volume_triplanar_uv(
         sg_volume_scale(m_moved_world, sg_material.p_weave_tiling), SG_LEFT_HAND, SG_LOWER_LEFT);
-    vec3 m_weave = clamp(sg_in_color.y, 0.0, 1.0) * sg_material.p_weave_strength * sg_triplanar_gradient(
-        sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
-        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
-        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
-        sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5)),
-        SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec3 m_weave_gradient =
+        clamp(sg_in_color.y, 0.0, 1.0) *
+        sg_material.p_weave_strength *
+        sg_triplanar_gradient(
+            sg_triplanar_weights(m_relief_normal, sg_material.p_exponent),
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.x).xyz, 127.5)),
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.y).xyz, 127.5)),
+            sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_weave_planes.z).xyz, 127.5)),
+            SG_LEFT_HAND, SG_LOWER_LEFT);
+    vec3 m_weave = sg_surfgrad_from_volume(m_relief_normal, m_weave_gradient);
 
     // dents: noise
-    vec3 m_dents = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
+    vec3 m_dents_gradient = sg_stage_gradient_from_object(sg_material.d_dents_multiply * sg_noise_power(
         sg_volume_turbulence(sg_volume_scale(m_object, sg_material.p_frequency), 6),
         sg_material.p_power).gradient);
+    vec3 m_dents = sg_surfgrad_from_volume(m_relief_normal, m_dents_gradient);
+
+    vec3 m_surface_normal = sg_resolve_volume(m_relief_normal, m_weave_gradient + m_dents_gradient);
 
     // sign: decal
     SgDecal m_sign_decal = sg_decal_box(sg_material.p_first_projector, m_moved_world.p, m_moved_world.dx,
                                         m_moved_world.dy);
-    vec3 m_sign =
+    vec3 m_sign_gradient =
         sg_decal_falloff_box(m_sign_decal.local, 0.25) *
         sg_sample(t_sign, s_0, m_sign_decal.uv).w *
         sg_material.p_first_strength *
         sg_decal_gradient_along(
             sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_ramp, s_0, m_sign_decal.uv).xyz, 127.5)),
             sg_material.d_sign_axis_s, sg_material.d_sign_axis_t);
+    vec3 m_sign = sg_surfgrad_from_volume(m_surface_normal, m_sign_gradient);
 
     // plaster: decal
     SgDecal m_plaster_decal = sg_decal_box(sg_material.p_second_projector, m_moved_world.p, m_moved_world.dx,
                                            m_moved_world.dy);
-    vec3 m_plaster =
+    vec3 m_plaster_gradient =
         sg_decal_falloff_box(m_plaster_decal.local, 0.25) *
         sg_sample(t_plaster, s_0, m_plaster_decal.uv).w *
         sg_material.p_second_strength *
@@ -164,9 +173,9 @@ void main() {
             sg_deriv_from_normal_xyz(
                 sg_decode_signed(sg_sample(t_brick, s_0, m_plaster_decal.uv).xyz, 127.5)),
             sg_material.d_plaster_axis_s, sg_material.d_plaster_axis_t);
+    vec3 m_plaster = sg_surfgrad_from_volume(m_surface_normal, m_plaster_gradient);
 
-    vec3 m_decals_normal = sg_resolve_volume(sg_resolve_volume(m_relief_normal, m_weave + m_dents),
-                                             m_sign + m_plaster);
+    vec3 m_decals_normal = sg_resolve_volume(m_surface_normal, m_sign_gradient + m_plaster_gradient);
     float m_wet = sg_material.p_wetness * sg_in_color.z;
     float m_clamp = clamp(m_wet, 0.0, 1.0);
 
@@ -184,19 +193,23 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 7.0, m_detail);  // layer:detail
     sg_shown = sg_stage_select(sg_shown, 8.0, m_sphere);  // layer:sphere
     sg_shown = sg_stage_select(sg_shown, 9.0, m_ribs);  // layer:ribs
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_weave);  // layer:weave
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_dents);  // layer:dents
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_sign);  // layer:sign
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_plaster);  // layer:plaster
     // layer:film
-    sg_shown = sg_stage_select(sg_shown, 10.0,
+    sg_shown = sg_stage_select(sg_shown, 14.0,
                                m_clamp * sg_surfgrad_from_normal(m_decals_normal, m_relief_normal));
-    sg_shown = sg_stage_select(sg_shown, 11.0, sg_in_color);  // vertex-color
-    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 15.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 16.0, vec3(m_uv2.st, 0.0));  // uv2
-    sg_shown = sg_stage_select(sg_shown, 17.0, vec4(m_uv2.dx, m_uv2.dy));  // uv2-derivatives
-    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 19.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 20.0, m_object.dy);  // object-position-dy
-    sg_shown = sg_stage_select(sg_shown, 21.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 15.0, sg_in_color);  // vertex-color
+    sg_shown = sg_stage_select(sg_shown, 16.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 17.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 18.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 19.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 20.0, vec3(m_uv2.st, 0.0));  // uv2
+    sg_shown = sg_stage_select(sg_shown, 21.0, vec4(m_uv2.dx, m_uv2.dy));  // uv2-derivatives
+    sg_shown = sg_stage_select(sg_shown, 22.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 23.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 24.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 25.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

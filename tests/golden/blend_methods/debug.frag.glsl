@@ -63,14 +63,14 @@ void main() {
     // rnm: normal_blend
     vec3 m_rnm = sg_combine_reoriented(m_base_normal, m_pd_gradient, m_pd_gradient_2);
 
+    float m_smoothstep = sg_smoothstep(-0.27, -0.25, m_object.p.y);
+    float m_smoothstep_2 = sg_smoothstep(-0.11, -0.09, m_object.p.y);
+    float m_smoothstep_3 = sg_smoothstep(0.07, 0.09, m_object.p.y);
+    float m_smoothstep_4 = sg_smoothstep(0.25, 0.27, m_object.p.y);
     vec3 m_gradient = sg_combine_mix(
-        sg_combine_mix(
-            sg_combine_mix(sg_combine_mix(m_pd, m_whiteout, sg_smoothstep(-0.27, -0.25, m_object.p.y)), m_udn,
-                           sg_smoothstep(-0.11, -0.09, m_object.p.y)),
-            m_weighted,
-            sg_smoothstep(0.07, 0.09, m_object.p.y)),
-        m_rnm,
-        sg_smoothstep(0.25, 0.27, m_object.p.y));
+        sg_combine_mix(sg_combine_mix(sg_combine_mix(m_pd, m_whiteout, m_smoothstep), m_udn, m_smoothstep_2),
+                       m_weighted, m_smoothstep_3),
+        m_rnm, m_smoothstep_4);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -80,12 +80,16 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 4.0, m_gradient);  // gradient
     sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve(m_base_normal, m_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_pd);  // layer:pd
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 13.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_smoothstep * m_whiteout);  // layer:whiteout
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_smoothstep_2 * m_udn);  // layer:udn
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_smoothstep_3 * m_weighted);  // layer:weighted
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_smoothstep_4 * m_rnm);  // layer:rnm
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 15.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 16.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 17.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -6,6 +6,7 @@
 #include "stage/fragment.glsl"
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
+#include "surfgrad/from_normal.glsl"
 #include "surfgrad/number.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/tbn.glsl"
@@ -42,10 +43,11 @@ void main() {
             sg_decode_signed(sg_stage_sample(t_scratch, s_0, sg_uv_scale(m_uv1, vec2(2.0, 5.0))).xy, 127.5)),
         sg_basis_uv(sg_frame_resolved(m_frame, m_pebbles_normal), m_uv1));
 
+    vec3 m_scratches_normal = sg_resolve(m_pebbles_normal, m_layer_2);
     float m_water = sg_stage_sample(t_moss, s_0, sg_uv_scale(m_uv0, vec2(3.0, 1.0))).x;
 
     // layer 3: earlier_normal
-    vec3 m_layer_3 = sg_resolve_towards(sg_resolve(m_pebbles_normal, m_layer_2), m_pebbles_normal, m_water);
+    vec3 m_layer_3 = sg_resolve_towards(m_scratches_normal, m_pebbles_normal, m_water);
 
     float m_deep = sg_smoothstep(0.6, 0.9, m_water);
 
@@ -61,9 +63,14 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 5.0, m_layer_4);  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_layer_1);  // layer:layer 1
     sg_shown = sg_stage_select(sg_shown, 7.0, m_layer_2);  // layer:layer 2
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    // layer:layer 3
+    sg_shown = sg_stage_select(sg_shown, 8.0,
+                               m_water * sg_surfgrad_from_normal(m_scratches_normal, m_pebbles_normal));
+    // layer:layer 4
+    sg_shown = sg_stage_select(sg_shown, 9.0, m_deep * sg_surfgrad_from_normal(m_layer_3, m_base_normal));
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 11.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
     sg_out_value = sg_shown;
 }

@@ -95,14 +95,15 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 7.0, m_gravel);  // layer:gravel
     sg_shown = sg_stage_select(sg_shown, 8.0, m_fuzz);  // layer:fuzz
     sg_shown = sg_stage_select(sg_shown, 9.0, m_slime);  // layer:slime
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_basis_vertex.tangent);  // tangent
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_basis_vertex.bitangent);  // bitangent
-    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 13.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 14.0, vec3(m_uv1.st, 0.0));  // uv1
-    sg_shown = sg_stage_select(sg_shown, 15.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
-    sg_shown = sg_stage_select(sg_shown, 16.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 17.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_mossy * m_wet_moss);  // layer:wet moss
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_basis_vertex.tangent);  // tangent
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_basis_vertex.bitangent);  // bitangent
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 14.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 15.0, vec3(m_uv1.st, 0.0));  // uv1
+    sg_shown = sg_stage_select(sg_shown, 16.0, vec4(m_uv1.dx, m_uv1.dy));  // uv1-derivatives
+    sg_shown = sg_stage_select(sg_shown, 17.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 18.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 19.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }

@@ -10,6 +10,7 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
+#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -57,18 +58,20 @@ void main() {
     SgFrame m_moved_frame = sg_stage_frame_rebuilt(m_parallax_position, m_relief_normal, 1.0);
 
     // dents: noise
-    vec3 m_dents = sg_stage_gradient_from_object(-0.4 * sg_noise_power(
+    vec3 m_dents_gradient = sg_stage_gradient_from_object(-0.4 * sg_noise_power(
         sg_volume_turbulence(sg_volume_scale(sg_stage_object_volume(m_moved_frame), 4.0), 4), 2.5).gradient);
+    vec3 m_dents = sg_surfgrad_from_volume(m_relief_normal, m_dents_gradient);
 
     // grain: triplanar
     SgTriplanarUv m_grain_planes = sg_volume_triplanar_uv(
         sg_volume_scale(sg_stage_world_volume(m_moved_frame), 4.0), SG_RIGHT_HAND, SG_UPPER_LEFT);
-    vec3 m_grain = 0.25 * sg_triplanar_gradient(
+    vec3 m_grain_gradient = 0.25 * sg_triplanar_gradient(
         sg_triplanar_weights(m_relief_normal, 3.0),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.x).xyz, 128.0)),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.y).xyz, 128.0)),
         sg_deriv_from_normal_xyz(sg_decode_signed(sg_sample(t_weave, s_0, m_grain_planes.z).xyz, 128.0)),
         SG_RIGHT_HAND, SG_UPPER_LEFT);
+    vec3 m_grain = sg_surfgrad_from_volume(m_relief_normal, m_grain_gradient);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -77,12 +80,15 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
     // normal
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_relief_normal, m_dents + m_grain));
+    sg_shown = sg_stage_select(sg_shown, 5.0,
+                               sg_resolve_volume(m_relief_normal, m_dents_gradient + m_grain_gradient));
     sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_dents);  // layer:dents
+    sg_shown = sg_stage_select(sg_shown, 8.0, m_grain);  // layer:grain
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 10.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 13.0, m_parallax_position);  // moved-position
     sg_out_value = sg_shown;
 }

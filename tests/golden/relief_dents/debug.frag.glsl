@@ -9,6 +9,7 @@
 #include "stage/view.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
+#include "surfgrad/from_volume.glsl"
 #include "surfgrad/height_map.glsl"
 #include "surfgrad/noise.glsl"
 #include "surfgrad/parallax.glsl"
@@ -50,12 +51,13 @@ void main() {
     vec3 m_normal = sg_resolve(m_parallax_moved_normal, m_stones);
 
     // dents: noise
-    vec3 m_dents = sg_stage_gradient_from_object(-0.24 * sg_noise_power(
+    vec3 m_dents_gradient = sg_stage_gradient_from_object(-0.24 * sg_noise_power(
         sg_volume_turbulence(
             sg_volume_scale(
                 sg_stage_object_volume(sg_stage_frame_rebuilt(m_parallax_position, m_normal, 1.0)), 3.0),
             3),
         2.0).gradient);
+    vec3 m_dents = sg_surfgrad_from_volume(m_normal, m_dents_gradient);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -63,13 +65,14 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_normal, m_dents));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_normal, m_dents_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_normal_derivatives.dndx);  // base-normal-dx
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndy);  // base-normal-dy
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_parallax_position);  // moved-position
-    sg_shown = sg_stage_select(sg_shown, 12.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_dents);  // layer:dents
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_normal_derivatives.dndx);  // base-normal-dx
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_normal_derivatives.dndy);  // base-normal-dy
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_parallax_position);  // moved-position
+    sg_shown = sg_stage_select(sg_shown, 13.0, vec3(m_moved_uv0.st, 0.0));  // moved-uv0
     sg_out_value = sg_shown;
 }

@@ -8,6 +8,7 @@
 #include "surfgrad/deriv.glsl"
 #include "surfgrad/frame.glsl"
 #include "surfgrad/from_height.glsl"
+#include "surfgrad/from_volume.glsl"
 #include "surfgrad/resolve.glsl"
 #include "surfgrad/triplanar.glsl"
 #include "surfgrad/uv.glsl"
@@ -42,7 +43,7 @@ void main() {
     // gravel: triplanar
     SgTriplanarUv m_gravel_planes = sg_volume_triplanar_uv(sg_volume_scale(m_object, 6.0), SG_RIGHT_HAND,
                                                            SG_UPPER_LEFT);
-    vec3 m_gravel = 0.8 * sg_stage_gradient_from_object(sg_triplanar_gradient(
+    vec3 m_gravel_gradient = 0.8 * sg_stage_gradient_from_object(sg_triplanar_gradient(
         sg_triplanar_weights(sg_stage_object_normal(m_normal), 3.0),
         sg_deriv_green_up(sg_deriv_from_normal_xyz(
             sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.x).xyz, 127.0))),
@@ -51,6 +52,7 @@ void main() {
         sg_deriv_green_up(sg_deriv_from_normal_xyz(
             sg_decode_signed(sg_stage_sample(t_pebble, s_0, m_gravel_planes.z).xyz, 127.0))),
         SG_RIGHT_HAND, SG_UPPER_LEFT));
+    vec3 m_gravel = sg_surfgrad_from_volume(m_normal, m_gravel_gradient);
 
     vec4 sg_shown = vec4(0.0, 0.0, 0.0, 1.0);
     sg_shown = sg_stage_select(sg_shown, 0.0, m_frame.position);  // position
@@ -58,12 +60,13 @@ void main() {
     sg_shown = sg_stage_select(sg_shown, 2.0, m_frame.dpdx);  // dpdx
     sg_shown = sg_stage_select(sg_shown, 3.0, m_frame.dpdy);  // dpdy
     sg_shown = sg_stage_select(sg_shown, 4.0, m_stones);  // gradient
-    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_normal, m_gravel));  // normal
+    sg_shown = sg_stage_select(sg_shown, 5.0, sg_resolve_volume(m_normal, m_gravel_gradient));  // normal
     sg_shown = sg_stage_select(sg_shown, 6.0, m_stones);  // layer:stones
-    sg_shown = sg_stage_select(sg_shown, 7.0, vec3(m_uv0.st, 0.0));  // uv0
-    sg_shown = sg_stage_select(sg_shown, 8.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
-    sg_shown = sg_stage_select(sg_shown, 9.0, m_object.p);  // object-position
-    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.dx);  // object-position-dx
-    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dy);  // object-position-dy
+    sg_shown = sg_stage_select(sg_shown, 7.0, m_gravel);  // layer:gravel
+    sg_shown = sg_stage_select(sg_shown, 8.0, vec3(m_uv0.st, 0.0));  // uv0
+    sg_shown = sg_stage_select(sg_shown, 9.0, vec4(m_uv0.dx, m_uv0.dy));  // uv0-derivatives
+    sg_shown = sg_stage_select(sg_shown, 10.0, m_object.p);  // object-position
+    sg_shown = sg_stage_select(sg_shown, 11.0, m_object.dx);  // object-position-dx
+    sg_shown = sg_stage_select(sg_shown, 12.0, m_object.dy);  // object-position-dy
     sg_out_value = sg_shown;
 }
