@@ -84,6 +84,9 @@ public:
     }
     // The operand's value if it is of this operation, else null.
     [[nodiscard]] const ir::Value* operand(const ir::Value& value, std::size_t index, ir::Op op) const;
+    // Whether it may be endless or not a number while textures and parameters are numbers: of a user's
+    // function, of a power that may be negative, and of what is computed of these up to a normal.
+    [[nodiscard]] bool may_be_endless(ir::ValueId id) const { return endless_[id.index]; }
     ir::Module take() { return std::move(module_); }
     // In the order of time; with a log only.
     [[nodiscard]] const std::vector<Removal>& removals() const { return removals_; }
@@ -95,8 +98,10 @@ private:
     std::string_view maker_;  // the innermost rule at work
     std::vector<Removal> removals_;
     std::vector<std::vector<std::uint32_t>> buckets_;
+    std::vector<bool> endless_;  // by value
     ir::ValueId apply(const Rule& rule, const ir::Value& value);
     [[nodiscard]] std::size_t hash(const ir::Value& value) const;
+    [[nodiscard]] bool finds_endless(const ir::Value& value) const;
     void grow();
 };
 

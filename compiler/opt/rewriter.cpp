@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/ice.hpp"
+#include "opt/interval.hpp"
 #include "opt/optimise.hpp"
 
 namespace sg::opt {
@@ -54,6 +55,14 @@ void Rewriter::grow() {
     buckets_ = std::move(bigger);
 }
 
+bool Rewriter::finds_endless(const Value& value) const {
+    if (ir::info(value.op).attribute == ir::Attribute::Function) return true;
+    if (value.type == ir::Type::Normal) return false;  // a resolve guards it
+    if (value.op == Op::power && !(interval_of(*this, value.operands[1]).least >= 0)) return true;
+    return std::any_of(value.operands.begin(), value.operands.end(),
+                       [&](ValueId operand) { return endless_[operand.index]; });
+}
+
 // Notes the rule in front of those that it led to.
 ValueId Rewriter::apply(const Rule& rule, const Value& value) {
     if (!log_) return rule.apply(*this, value);
@@ -86,6 +95,7 @@ ValueId Rewriter::add(Value value) {
     auto index = static_cast<std::uint32_t>(module_.values.size());
     bucket.push_back(index);
     if (log_) log_->origins.push_back({{static_cast<std::uint32_t>(log_->after.size())}, maker_});
+    endless_.push_back(finds_endless(value));
     module_.values.push_back(std::move(value));
     return {index};
 }

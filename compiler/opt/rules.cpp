@@ -56,16 +56,27 @@ ValueId scale_to_nothing(Rewriter& rewriter, const Value& value) {
     return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
+bool is_nothing(const Rewriter& rewriter, ValueId id) {
+    const Value& value = rewriter.at(id);
+    const bool scaled = value.op == Op::scale_deriv || value.op == Op::scale_volgrad;
+    return value.op == Op::zero_surfgrad ||
+           (scaled && is_constant(rewriter.operand(value, 0, Op::constant), 0.0));
+}
+
 ValueId project_nothing(Rewriter& rewriter, const Value& value) {
-    const Value* scaled = rewriter.operand(value, 1, Op::scale_volgrad);
-    if (!scaled || !is_constant(rewriter.operand(*scaled, 0, Op::constant), 0.0)) return {};
+    if (!is_nothing(rewriter, value.operands[value.op == Op::surfgrad_from_tbn ? 0 : 1])) return {};
     return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
 ValueId add_nothing(Rewriter& rewriter, const Value& value) {
-    if (rewriter.operand(value, 0, Op::zero_surfgrad)) return value.operands[1];
-    if (rewriter.operand(value, 1, Op::zero_surfgrad)) return value.operands[0];
-    return {};
+    if (is_nothing(rewriter, value.operands[0])) return value.operands[1];
+    return is_nothing(rewriter, value.operands[1]) ? value.operands[0] : ValueId{};
+}
+
+ValueId no_way_to_itself(Rewriter& rewriter, const Value& value) {
+    const Value* wanted = rewriter.operand(value, 1, Op::direction_of);
+    if (!wanted || wanted->operands[0] != value.operands[0]) return {};
+    return rewriter.add(Op::zero_surfgrad, {}, value);
 }
 
 ValueId resolve_nothing(Rewriter& rewriter, const Value& value) {
@@ -129,25 +140,53 @@ ValueId project_sum(Rewriter& rewriter, const Projected& a, const Projected& b, 
     return rewriter.add(a.op, tbn ? std::vector{sum, a.onto} : std::vector{a.onto, sum}, like);
 }
 
-ValueId one_projection(Rewriter& rewriter, const Value& value) {
-    Projected left = projected(rewriter, value.operands[0]);
-    Projected right = projected(rewriter, value.operands[1]);
-    if (!right.valid()) return {};
-    Value like = unnamed(value);
-    if (left.shares(right)) return project_sum(rewriter, left, right, like);
-    // (x + project(a)) + project(b): sums lean to the left, so this walks through all layers.
-    const Value* inner = rewriter.operand(value, 0, Op::add_surfgrad);
-    if (!inner) return {};
-    ValueId rest = inner->operands[0], last_id = inner->operands[1];
-    Projected last = projected(rewriter, last_id);
-    if (last.shares(right))
-        return rewriter.add(Op::add_surfgrad, {rest, project_sum(rewriter, last, right, like)}, like);
-    // ((x + project(a)) + y) + project(b), y of another kind: y steps aside, for sums may be taken in any
-    // order.
-    Projected deeper = projected(rewriter, rest);
-    if (deeper.shares(right))
-        return rewriter.add(Op::add_surfgrad, {project_sum(rewriter, deeper, right, like), last_id}, like);
+// How many sums and their terms a rule looks through: what it costs does not grow with the module.
+constexpr int kReach = 16;
+
+// The sum with one of its terms and `more` projected together, the others as they were; invalid where none
+// shares the projection. Sums lean to the left, so that the nearest terms stand on the right.
+ValueId merged(Rewriter& rewriter, ValueId sum, const Projected& more, const Value& like, int& reach) {
+    if (reach-- <= 0) return {};
+    const Projected term = projected(rewriter, sum);
+    if (term.shares(more)) return project_sum(rewriter, term, more, like);
+    const Value terms = rewriter.at(sum);
+    if (terms.op != Op::add_surfgrad) return {};
+    if (ValueId b = merged(rewriter, terms.operands[1], more, like, reach); b.valid())
+        return rewriter.add(Op::add_surfgrad, {terms.operands[0], b}, like);
+    if (ValueId a = merged(rewriter, terms.operands[0], more, like, reach); a.valid())
+        return rewriter.add(Op::add_surfgrad, {a, terms.operands[1]}, like);
     return {};
+}
+
+// A term of `more` moved into a sum that has one of its projection, and what is left of `more` then.
+struct Moved {
+    ValueId sum, rest;
+};
+Moved move_term(Rewriter& rewriter, ValueId sum, ValueId more, const Value& like, int& reach) {
+    if (reach-- <= 0) return {};
+    int within_sum = kReach;
+    if (const Projected term = projected(rewriter, more); term.valid())
+        return {merged(rewriter, sum, term, like, within_sum), {}};
+    const Value terms = rewriter.at(more);
+    if (terms.op != Op::add_surfgrad) return {};
+    for (std::size_t i : {1u, 0u}) {
+        const Moved moved = move_term(rewriter, sum, terms.operands[i], like, reach);
+        if (!moved.sum.valid()) continue;
+        const ValueId other = terms.operands[1 - i];
+        if (!moved.rest.valid()) return {moved.sum, other};
+        const std::vector<ValueId> rest =
+            i == 1 ? std::vector{other, moved.rest} : std::vector{moved.rest, other};
+        return {moved.sum, rewriter.add(Op::add_surfgrad, rest, like)};
+    }
+    return {};
+}
+
+ValueId one_projection(Rewriter& rewriter, const Value& value) {
+    const Value like = unnamed(value);
+    int reach = kReach;
+    const Moved moved = move_term(rewriter, value.operands[0], value.operands[1], like, reach);
+    if (!moved.sum.valid() || !moved.rest.valid()) return moved.sum;
+    return rewriter.add(Op::add_surfgrad, {moved.sum, moved.rest}, like);
 }
 
 // ---- one map on vertex tangents ----
@@ -223,8 +262,9 @@ ValueId resolve_towards_normal(Rewriter& rewriter, const Value& value) {
 
 // ---- masks and mixes ----
 
-// Bumps are numbers; of what is none, a mask of 0 would hide nothing any more.
+// Of what is no number a factor of 0 hides nothing.
 ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
+    if (rewriter.may_be_endless(value.operands[0]) && !rewriter.operand(value, 1, Op::constant)) return {};
     const Value like = unnamed(value);
     ValueId factor = value.operands[1];
     if (!interval_of(rewriter, factor).within(0, 1)) {
@@ -235,7 +275,10 @@ ValueId mask_is_a_factor(Rewriter& rewriter, const Value& value) {
     return rewriter.add(Op::scale_surfgrad, {factor, value.operands[0]}, value);
 }
 
+// From nothing, a mix is a mask; both take numbers outside 0..1 for the nearer end.
 ValueId trivial_mix(Rewriter& rewriter, const Value& value) {
+    if (rewriter.operand(value, 0, Op::zero_surfgrad))
+        return rewriter.add(Op::mask_surfgrad, {value.operands[1], value.operands[2]}, value);
     const Value* t = rewriter.operand(value, 2, Op::constant);
     if (t && t->number[0] <= 0) return value.operands[0];
     return t && t->number[0] >= 1 ? value.operands[1] : ValueId{};
@@ -286,20 +329,24 @@ std::vector<Rule> rules_of_gradients() {
          {scale_surfgrad},
          scale_to_nothing},
         {"project_nothing",
-         "0 v = 0: a volume bump of strength 0 vanishes, with what it is looked up by",
-         {surfgrad_from_volume},
+         "0 v = 0: a bump of strength 0 vanishes, with what it is looked up by",
+         {surfgrad_from_volume, surfgrad_from_tbn},
          project_nothing},
         {"scale_before_projection",
          "projection is linear: s project(d) = project(s d), which is shorter and can be added to others",
          {scale_surfgrad},
          scale_before_projection},
-        {"add_nothing", "g + 0 = g", {add_surfgrad}, add_nothing},
+        {"add_nothing", "g + 0 = g", {add_surfgrad, add_deriv}, add_nothing},
+        {"no_way_to_itself", "from a normal to itself is no bump", {surfgrad_from_normal}, no_way_to_itself},
         {"one_projection",
          "projection is linear: project(a) + project(b) = project(a + b), for one basis, or one normal (the "
          "paper's footnote on decals)",
          {add_surfgrad},
          one_projection},
-        {"trivial_mix", "a mix by 0 is its first side, a mix by 1 its second", {mix_surfgrad}, trivial_mix},
+        {"trivial_mix",
+         "a mix by 0 is its first side, a mix by 1 its second, a mix from nothing a mask of it",
+         {mix_surfgrad},
+         trivial_mix},
         {"mask_is_a_factor",
          "a mask is a factor from 0 to 1: it can be multiplied with the strength",
          {mask_surfgrad},
