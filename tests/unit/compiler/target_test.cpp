@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "target/spirv.hpp"
+#include "target/usage.hpp"
 
 namespace sg::target {
 namespace {
@@ -50,6 +51,55 @@ TEST(Spirv, OptimisingDoesNotGrowAndValidates) {
     EXPECT_EQ(disassemble(*small).find("OpName"), std::string::npos);
     EXPECT_EQ(bytes(*fast).size(), fast->size() * 4);
     EXPECT_EQ(bytes(*fast).substr(0, 4), "\x03\x02\x23\x07");
+}
+
+// Every kind of read, and every kind of query.
+TEST(Spirv, ReadsAreCountedAndQueriesAreNot) {
+    const std::string head =
+        "#extension GL_ARB_sparse_texture2 : require\n"
+        "layout(set = 0, binding = 0) uniform sampler2D t;\n"
+        "layout(set = 0, binding = 1) uniform sampler2DShadow d;\n"
+        "layout(location = 0) in vec2 p;\n"
+        "layout(location = 0) out vec4 o;\n";
+    auto reads = [&](const std::string& expression) {
+        std::string fault;
+        auto words = compile_glsl(std::string(kHead) + head + "void main() { vec4 v = vec4(0.0); o = vec4(" +
+                                      expression + ") + v; }\n",
+                                  "t", Stage::fragment, {}, {}, fault);
+        EXPECT_TRUE(words) << fault;
+        return words ? usage(*words).texture_reads : 0;
+    };
+    for (const char* one :
+         {"texture(t, p)", "textureLod(t, p, 0.0)", "textureGrad(t, p, p, p)", "texture(d, p.xyx)",
+          "textureLod(d, p.xyx, 0.0)", "textureProj(t, p.xyx)", "textureProjLod(t, p.xyx, 0.0)",
+          "textureProj(d, p.xyxy)", "textureProjLod(d, p.xyxy, 0.0)", "texelFetch(t, ivec2(p), 0)",
+          "textureGather(t, p)", "textureGather(d, p, 0.5)", "sparseTextureARB(t, p, v)",
+          "sparseTextureLodARB(t, p, 0.0, v)", "sparseTexelFetchARB(t, ivec2(p), 0, v)",
+          "sparseTextureGatherARB(t, p, v)", "sparseTextureGatherARB(d, p, 0.5, v)",
+          "vec4(sparseTexelsResidentARB(sparseTextureARB(t, p, v)))"}) {
+        EXPECT_EQ(reads(one), 1u) << one;
+    }
+    for (const char* none :
+         {"textureSize(t, int(p.x)), p", "textureQueryLod(t, p), p", "textureQueryLevels(t)", "p, p"}) {
+        EXPECT_EQ(reads(none), 0u) << none;
+    }
+    EXPECT_EQ(reads("texture(t, p) + texture(t, p.yx) * textureGather(t, p)"), 3u);
+}
+
+TEST(Spirv, InputsAreCountedAsTheModuleKeepsThem) {
+    std::string fault;
+    auto words = compile_glsl(std::string(kHead) +
+                                  "layout(location = 0) in float a;\nlayout(location = 2) in vec2 b;\n"
+                                  "layout(location = 3) in vec4 c;\nlayout(location = 5) in vec3 unused;\n"
+                                  "layout(location = 6) flat in ivec3 d;\n"
+                                  "layout(location = 0) out vec4 o;\n"
+                                  "void main() { o = vec4(a, b, c.w) + 0.0 * unused.xyzz + gl_FragCoord + "
+                                  "vec4(d, 0.0); }\n",
+                              "t", Stage::fragment, {}, {}, fault);
+    ASSERT_TRUE(words) << fault;
+    const Usage used = usage(*words);
+    EXPECT_EQ(used.inputs, (std::map<std::uint32_t, std::uint32_t>{{0, 1}, {2, 2}, {3, 4}, {6, 3}}));
+    EXPECT_EQ(used.input_numbers(), 10u);
 }
 
 TEST(Spirv, ValidatorRefusesGarbage) {
