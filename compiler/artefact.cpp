@@ -9,6 +9,7 @@
 #include "function_manifest.hpp"
 #include "host_manifest.hpp"
 #include "ir/lighting.hpp"
+#include "target/usage.hpp"
 
 namespace sg {
 namespace {
@@ -138,7 +139,7 @@ Json entry_json(const ArtefactInput& input, const CompiledEntry& entry, NamedFil
             {"vertex_inputs", vertex_inputs_json(entry.shaders.interface)},
             {"bindings", bindings_json(entry.shaders.interface)},
             {"outputs", outputs_json(*entry.entry)},
-            {"texture_reads", entry.shaders.texture_reads},
+            {"texture_reads", target::usage(entry.fragment).texture_reads},
             {"views", views}};
 }
 

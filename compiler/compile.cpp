@@ -112,7 +112,7 @@ std::optional<Compiled> compile_material(const CompileRequest& request, Files& f
                                     [](const CompiledEntry& e) { return e.entry->name == "forward"; });
         // It counts for every build, also one that leaves the forward entry out.
         ForwardCost cost = forward != entries.end()
-                               ? forward_cost(forward->shaders, forward->fragment)
+                               ? forward_cost(forward->fragment)
                                : forward_cost(optimised, interface, request.stem, library, request.spirv);
         hold_to_budget(cost, checked->budget, checked->source, diags);
         hold_to_budget(cost, request.budget, request.source, diags);

@@ -9,6 +9,7 @@
 #include "json/json.hpp"
 #include "material/instance.hpp"
 #include "opt/optimise.hpp"
+#include "target/usage.hpp"
 
 namespace sg {
 
@@ -52,13 +53,10 @@ target::Words to_spirv(const std::string& text, const std::string& name, target:
     return std::move(*words);
 }
 
-ForwardCost forward_cost(const emit::Shaders& shaders, const target::Words& fragment) {
-    std::size_t numbers = 0;
-    for (const emit::Varying& varying : shaders.interface.varyings) {
-        numbers += static_cast<std::size_t>(emit::vertex_input(varying).glsl_type.back() - '0');  // "vec3"
-    }
-    return {static_cast<std::uint32_t>(target::instruction_count(fragment)), shaders.texture_reads,
-            static_cast<std::uint32_t>(numbers)};
+ForwardCost forward_cost(const target::Words& fragment) {
+    const target::Usage used = target::usage(fragment);
+    return {static_cast<std::uint32_t>(target::instruction_count(fragment)), used.texture_reads,
+            used.input_numbers()};
 }
 
 ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface,
@@ -67,8 +65,8 @@ ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface
     const emit::EntryPoint& entry = *emit::find_entry_point("forward");
     emit::Shaders shaders =
         emit::emit_glsl(opt::select_outputs(module, emit::needed_outputs(entry, module)), entry, interface);
-    return forward_cost(shaders, to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment,
-                                          library, options));
+    return forward_cost(
+        to_spirv(shaders.fragment, stem + ".forward.frag", target::Stage::fragment, library, options));
 }
 
 void hold_to_budget(const ForwardCost& cost, const material::Budget& budget, const SourcePtr& source,

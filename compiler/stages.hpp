@@ -33,9 +33,9 @@ SamplerGroups group_samplers(const material::CheckedMaterial& material);
 target::Words to_spirv(const std::string& text, const std::string& name, target::Stage stage,
                        const target::ShaderLibrary& library, const target::SpirvOptions& options);
 
-// What the forward entry point's fragment shader costs, by material::Cost.
+// What the forward entry point's fragment shader costs, by material::Cost: all of the SPIR-V as shipped.
 using ForwardCost = std::array<std::uint32_t, material::kCostNames.size()>;
-ForwardCost forward_cost(const emit::Shaders& shaders, const target::Words& fragment);
+ForwardCost forward_cost(const target::Words& fragment);
 // The same for a module with all its outputs.
 ForwardCost forward_cost(const ir::Module& module, const emit::MaterialInterface& interface,
                          const std::string& stem, const target::ShaderLibrary& library,

@@ -180,7 +180,6 @@ struct Used {
     bool frame_block = false;
     bool object_block = false;
     std::vector<bool> textures;
-    std::uint32_t texture_reads = 0;
     std::set<std::uint32_t> shaders;
 };
 Used used_by(const ir::Module& module) {
@@ -195,10 +194,7 @@ Used used_by(const ir::Module& module) {
             value.op == Op::time || include == "stage/view.glsl" || include == "stage/world.glsl" || moved;
         used.object_block |= (value.op != Op::time && include == "stage/object.glsl") || moved;
         if (attribute == ir::Attribute::Function) used.shaders.insert(module.functions[value.index].shader);
-        for (std::uint32_t texture : ir::textures_of(module, value)) {
-            used.textures[texture] = true;
-            ++used.texture_reads;
-        }
+        for (std::uint32_t texture : ir::textures_of(module, value)) used.textures[texture] = true;
     }
     return used;
 }
@@ -260,7 +256,6 @@ Shaders emit_glsl(const ir::Module& module, const EntryPoint& entry, const Mater
                                       {Op::position, 0});  // lighting needs it
     }
     out.interface.bindings = bindings_of(entry, module, material, used);
-    out.texture_reads = used.texture_reads;
     out.has_user_glsl = !used.shaders.empty();
     std::string last = tail(module, entry, body, out.interface);
 

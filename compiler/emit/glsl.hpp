@@ -39,7 +39,6 @@ struct Shaders {
     std::string vertex;
     std::string fragment;
     EntryInterface interface;
-    std::uint32_t texture_reads = 0;  // a call of a user's function counts once per texture that it is handed
     bool has_user_glsl = false;
 };
 

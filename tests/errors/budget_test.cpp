@@ -76,6 +76,19 @@ TEST(Budget, ThatIsJustMet) {
     EXPECT_EQ(compile(material(R"("budget": { "texture_reads": 2, "interpolants": 8 },)")), "");
 }
 
+// One layer, seven reads.
+TEST(Budget, OfReadsWithinOneLayer) {
+    EXPECT_EQ(compile(R"({ "version": 1,
+  "budget": { "texture_reads": 2 },
+  "textures": { "a": { "file": "a.png", "encoding": "height" } },
+  "bump": [ { "layers": [ { "kind": "height_map", "texture": "a", "method": "hq" } ] } ] })"),
+              "wall.json:2:32: error: the forward shader takes 7 texture reads, 'budget' allows 2 [SG1402]\n"
+              "  \"budget\": { \"texture_reads\": 2 },\n"
+              "                               ^\n"
+              "    at /budget/texture_reads: drop or simplify a layer (`surfgradc explain` tells what each "
+              "costs), or allow more\n");
+}
+
 // A budget of the command line has no place in the file.
 TEST(Budget, OfTheCommandLineForAnyEntry) {
     using enum material::Cost;

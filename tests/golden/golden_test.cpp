@@ -178,7 +178,8 @@ TEST_P(Sample, SameBytesTwice) {
 INSTANTIATE_TEST_SUITE_P(Materials, Sample, testing::ValuesIn(samples()),
                          [](const auto& sample) { return sample.param.stem().string(); });
 
-// Instructions follow the versions of glslang and SPIRV-Tools; texture reads and interpolants do not.
+// Instructions follow the versions of glslang and SPIRV-Tools; of reads and interpolants those only drop dead
+// ones.
 std::string without_instructions(const std::string& explained) {
     static const std::regex kColumn("(\n.{51}) +(-?\\d+ \\(\\d+ - -?\\d+\\)|\\d+)");
     return std::regex_replace(explained, kColumn, "$1 ...");
