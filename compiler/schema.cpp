@@ -374,8 +374,10 @@ Json surface_definition() {
 }
 
 Json budget_definition() {
-    constexpr std::string_view kDocs[] = {"SPIR-V instructions that do work, as shipped", "texture reads",
-                                          "numbers that the vertex stage hands over"};
+    constexpr std::string_view kDocs[] = {
+        "SPIR-V instructions that do work, as shipped",
+        "SPIR-V instructions that sample, gather or fetch texels, as shipped (queries are none)",
+        "numbers in the inputs from the vertex stage that the shipped SPIR-V has"};
     static_assert(std::size(kDocs) == material::kCostNames.size());
     Json properties = Json::object();
     for (std::size_t i = 0; i < std::size(kDocs); ++i)
