@@ -78,7 +78,7 @@ std::string declared_fault(std::string_view name) {
 
 class Scanner {
 public:
-    Scanner(std::string_view text, Words library) : library_(library) {
+    Scanner(std::string_view text, Words library) : text_(text), library_(library) {
         Tokens tokens = tokenise(text);
         out_.tokens = std::move(tokens.list);
         out_.faults = std::move(tokens.faults);
@@ -154,12 +154,20 @@ private:
     }
 
     void include(std::span<const Token> line) {
+        if (line.size() == 1) return fault(line[0], "'#include' of nothing, expected a file of the library");
         bool one_string = line.size() == 2 && line[1].kind == TokenKind::string && line[1].text.size() > 2;
         std::string_view file = one_string ? line[1].text.substr(1, line[1].text.size() - 2) : "";
         if (contains(library_, file)) return;
+        const Span whole{line[1].span.begin, line.back().span.end};
+        const std::string_view written = text_.substr(whole.begin, whole.end - whole.begin);
         std::string hint = one_string ? did_you_mean(file, library_) : "";
+        if (written.size() > 2 && written.starts_with('<') && written.ends_with('>')) {
+            const std::string_view named = written.substr(1, written.size() - 2);
+            const std::string_view near = contains(library_, named) ? named : nearest(named, library_);
+            if (!near.empty()) hint = fmt::format(", expected quotes: \"{}\"", near);
+        }
         if (hint.empty()) hint = ", expected a file of the library between quotes";
-        fault(line.back(), fmt::format("cannot include '{}'{}", printable(line.back().text), hint));
+        out_.faults.push_back({whole, fmt::format("cannot include '{}'{}", printable(written), hint)});
     }
 
     // A macro must not open what it does not close: else code means something else than it looks like.
@@ -308,6 +316,7 @@ private:
         }
     }
 
+    std::string_view text_;
     Words library_;
     UserGlsl out_;
     std::vector<std::string> macros_;

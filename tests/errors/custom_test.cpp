@@ -164,6 +164,32 @@ TEST(CustomGlsl, TypesOfTheLibraryNeedTheirFile) {
     EXPECT_TRUE(compile(json, {{"a.glsl", "#include \"surfgrad/tbn.glsl\"\n" + text}}).compiled);
 }
 
+// ---- where messages point ----
+
+// What is said of a file whose function `f` a layer calls with a point of object space.
+std::string said_of(const std::string& text) {
+    std::string json = material(layer("a.glsl", "f", "\"object\""));
+    const std::string_view gives = "surface_gradient";
+    json.replace(json.find(gives), gives.size(), "volume_gradient");
+    return compile(json, {{"a.glsl", text}}).messages;
+}
+
+TEST(CustomGlsl, AnIncludeBetweenBrackets) {
+    auto said = [](const std::string& line, const std::string& column, const std::string& what,
+                   const std::string& carets) {
+        EXPECT_EQ(said_of(line + "\nvec3 f(SgVolume o) { return o.p; }\n"),
+                  "a.glsl:1:" + column + ": error: " + what + " [SG1602]\n" + line + "\n" + carets +
+                      "\n    write functions of their arguments, structs and constants; include files of "
+                      "surfgrad/ only\n");
+    };
+    said("#include <surfgrad/volume.glsl>", "10",
+         "cannot include '<surfgrad/volume.glsl>', expected quotes: \"surfgrad/volume.glsl\"",
+         "         ^^^^^^^^^^^^^^^^^^^^^^");
+    said("#include <math.h>", "10",
+         "cannot include '<math.h>', expected a file of the library between quotes", "         ^^^^^^^^");
+    said("#include", "2", "'#include' of nothing, expected a file of the library", " ^^^^^^^");
+}
+
 // An accepted file that did not compile behind the check would end this process with exit code 3.
 TEST(CustomGlsl, RandomDamageIsRefusedOrCompiles) {
     const std::string good = test::read_file(test::source_dir() / "materials/shaders/custom.glsl");
