@@ -12,6 +12,7 @@ namespace sg {
 namespace {
 
 constexpr std::string_view kLibrary = "the library", kMacros = "-D", kCaller = "the layer's call";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // A text without the prefix of a shader's names, for people.
 std::string unprefixed(std::string text, const std::string& prefix, const std::vector<std::string>& names) {
@@ -47,6 +48,7 @@ public:
         for (const auto& [name, text] : library_.files) {
             if (name.starts_with("surfgrad/")) includable.push_back(name);
         }
+        skip_byte_order_mark();
         const std::string& text = shader_.source->text;
         scanned_ = custom::scan(text, includable);
         for (const custom::Fault& fault : scanned_.faults)
@@ -69,6 +71,14 @@ public:
     }
 
 private:
+    // Editors put one there and show none: columns begin behind it.
+    void skip_byte_order_mark() {
+        const Source& read = *shader_.source;
+        if (read.text.starts_with(kByteOrderMark))
+            shader_.source =
+                std::make_shared<Source>(Source{read.name, read.text.substr(kByteOrderMark.size())});
+    }
+
     void error(Code code, Span span, std::string message) {
         diags_.error(code, {shader_.source, span, ""}, std::move(message));
     }

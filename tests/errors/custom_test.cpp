@@ -173,6 +173,13 @@ std::string said_of(const std::string& text) {
     json.replace(json.find(gives), gives.size(), "volume_gradient");
     return compile(json, {{"a.glsl", text}}).messages;
 }
+// A message of glslang's at a place of that file.
+std::string glsl_fault(const std::string& number, const std::string& what, const std::string& line,
+                       std::size_t column, std::size_t width) {
+    return "a.glsl:" + number + ":" + std::to_string(column) + ": error: " + what + " [SG1601]\n" + line +
+           "\n" + std::string(column - 1, ' ') + std::string(width, '^') +
+           "\n    fix the text at the place that the caret marks; the words are glslang's\n";
+}
 
 TEST(CustomGlsl, AnIncludeBetweenBrackets) {
     auto said = [](const std::string& line, const std::string& column, const std::string& what,
@@ -188,6 +195,12 @@ TEST(CustomGlsl, AnIncludeBetweenBrackets) {
     said("#include <math.h>", "10",
          "cannot include '<math.h>', expected a file of the library between quotes", "         ^^^^^^^^");
     said("#include", "2", "'#include' of nothing, expected a file of the library", " ^^^^^^^");
+}
+
+TEST(CustomGlsl, AByteOrderMarkIsSkipped) {
+    const std::string mark = "\xEF\xBB\xBF", line = "vec3 f(SgVolume o) { return o.q; }";
+    EXPECT_EQ(said_of(mark + "vec3 f(SgVolume o) { return o.p; }\n"), "");
+    EXPECT_EQ(said_of(mark + line), glsl_fault("1", "'q' : no such field in structure 'o'", line, 31, 1));
 }
 
 // An accepted file that did not compile behind the check would end this process with exit code 3.
