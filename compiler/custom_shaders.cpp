@@ -54,16 +54,10 @@ public:
         for (const custom::Fault& fault : scanned_.faults)
             error(Code::glsl_refused, fault.span, fault.message);
         if (!scanned_.faults.empty()) return;
-        std::vector<std::string> names;
-        for (const auto& [name, value] : defines_) {
-            names.push_back(name);
-            bool read = std::any_of(scanned_.tokens.begin(), scanned_.tokens.end(),
-                                    [&](const custom::Token& t) { return t.text == name; });
-            if (read) macros_ += fmt::format("#define {}{} {}\n", prefix_, name, value);
-        }
-        text_ = custom::prefixed(text, scanned_, names, prefix_);
+        define();
+        text_ = custom::prefixed(text, scanned_, defined_, prefix_);
         all_names_ = scanned_.names;
-        all_names_.insert(all_names_.end(), names.begin(), names.end());
+        all_names_.insert(all_names_.end(), defined_.begin(), defined_.end());
         if (!signatures()) return;
         if (!compiles("") || !compiles(everything(includable))) return;
         shader_.text = macros_ + text_;
@@ -77,6 +71,20 @@ private:
         if (read.text.starts_with(kByteOrderMark))
             shader_.source =
                 std::make_shared<Source>(Source{read.name, read.text.substr(kByteOrderMark.size())});
+    }
+
+    // The macros of the command line; of several values of one name the last counts.
+    void define() {
+        for (auto it = defines_.begin(); it != defines_.end(); ++it) {
+            const auto& [name, value] = *it;
+            bool again =
+                std::any_of(it + 1, defines_.end(), [&](const auto& later) { return later.first == name; });
+            if (again) continue;
+            defined_.push_back(name);
+            bool read = std::any_of(scanned_.tokens.begin(), scanned_.tokens.end(),
+                                    [&](const custom::Token& t) { return t.text == name; });
+            if (read) macros_ += fmt::format("#define {}{} {}\n", prefix_, name, value);
+        }
     }
 
     void error(Code code, Span span, std::string message) {
@@ -201,7 +209,7 @@ private:
     const SourcePtr& json_;
     Diags& diags_;
     custom::UserGlsl scanned_;
-    std::vector<std::string> all_names_;
+    std::vector<std::string> defined_, all_names_;
     std::string macros_, text_;
 };
 

@@ -215,7 +215,9 @@ void add_input_options(CLI::App& command, Options& options) {
                                                    : fmt::format("'{}' is no folder", sg::printable(folder));
         });
     command
-        .add_option("-D", options.defines, "macro of custom layers' GLSL: NAME or NAME=VALUE (repeatable)")
+        .add_option(
+            "-D", options.defines,
+            "macro of custom layers' GLSL: NAME or NAME=VALUE (repeatable; of one name the last counts)")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->check([](const std::string& word) {

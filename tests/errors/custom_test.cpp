@@ -103,6 +103,9 @@ TEST(CustomGlsl, MacrosOfTheCommandLine) {
     EXPECT_NE(defined.find("#define c_DEPTH 2.0\n"), std::string::npos) << defined;
     EXPECT_EQ(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0.0.0"}}).messages.substr(0, 15),
               "a.glsl:4:1: err");
+    std::string last = fragment(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0"}, {"DEPTH", "3.0"}}));
+    EXPECT_EQ(last.find("#define c_DEPTH 2.0\n"), std::string::npos) << last;
+    EXPECT_NE(last.find("#define c_DEPTH 3.0\n"), std::string::npos) << last;
     EXPECT_EQ(custom::define_fault("DEPTH", "2.0 + (1.0)"), "");
     for (auto [name, value] : {std::pair{"sg_x", "1"},
                                {"1X", "1"},
