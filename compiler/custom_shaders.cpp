@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kLibrary = "the library", kMacros = "-D", kCaller = "the layer's call";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kLongestMessage = 400;  // glslang's; one that compares types has more than 100 letters
 
 // A text without the prefix of a shader's names, for people.
 std::string unprefixed(std::string text, const std::string& prefix, const std::vector<std::string>& names) {
@@ -167,13 +168,17 @@ private:
         std::string before =
             "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + of_arguments() + includes;
         std::string behind = calls();
+        // glslang is a token ahead: without its line break the last token would stand in the next part.
+        const std::string whole = text_ + "\n";
         const target::GlslPart parts[] = {
-            {kLibrary, before}, {kMacros, macros_}, {shader_.file, text_}, {kCaller, behind}};
+            {kLibrary, before}, {kMacros, macros_}, {shader_.file, whole}, {kCaller, behind}};
         auto fault = target::check_glsl(parts, target::Stage::fragment, library_);
         if (!fault) return true;
-        std::string what = printable(unprefixed(fault->what, prefix_, all_names_));
+        std::string what = unprefixed(fault->what, prefix_, all_names_);
+        for (std::string_view start : {"'' : ", " "}) {
+            if (what.starts_with(start)) what.erase(0, start.size());
+        }
         while (what.ends_with(' ')) what.pop_back();
-        if (what.starts_with("'' : ")) what.erase(0, 5);
         for (const auto& [type, file] : kDeclares) {
             if (what.find(fmt::format("'{}'", type)) != what.npos)
                 what += fmt::format("; #include \"{}\" declares it", file);
@@ -181,7 +186,8 @@ private:
         bool here = fault->part == shader_.file && fault->line > 0;
         if (!here && fault->line > 0)
             what += fmt::format(" (in {}, line {})", printable(fault->part), fault->line);
-        error(Code::glsl_fault, here ? place(fault->line, fault->what) : Span{0, 1}, std::move(what));
+        error(Code::glsl_fault, here ? place(fault->line, fault->what) : Span{0, 1},
+              printable(what, kLongestMessage));
         return false;
     }
 

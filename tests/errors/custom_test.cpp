@@ -183,6 +183,22 @@ std::string glsl_fault(const std::string& number, const std::string& what, const
            "\n" + std::string(column - 1, ' ') + std::string(width, '^') +
            "\n    fix the text at the place that the caret marks; the words are glslang's\n";
 }
+const std::string kNoSemicolon = "syntax error, unexpected RIGHT_BRACE, expecting COMMA or SEMICOLON";
+
+TEST(CustomGlsl, AMessageIsWhole) {
+    EXPECT_EQ(said_of("vec3 f(SgVolume o) {\n    vec2 a = o.p;\n    return o.p;\n}\n"),
+              glsl_fault("2",
+                         "'=' :  cannot convert from ' global highp 3-component vector of float' to ' temp "
+                         "highp 2-component vector of float'",
+                         "    vec2 a = o.p;", 12, 1));
+}
+
+TEST(CustomGlsl, TheLastLineNeedsNoBreak) {
+    const std::string text = "vec3 f(SgVolume o) {\n    return o.p\n}";
+    EXPECT_EQ(said_of(text), glsl_fault("3", kNoSemicolon, "}", 1, 1));
+    EXPECT_EQ(said_of(text + "\n"), said_of(text));
+    EXPECT_EQ(said_of("vec3 f(SgVolume o) { return o.p; } // the end"), "");
+}
 
 TEST(CustomGlsl, AnIncludeBetweenBrackets) {
     auto said = [](const std::string& line, const std::string& column, const std::string& what,
