@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "custom/user_glsl.hpp"
+#include "custom/pieces.hpp"
 #include "ir/ir.hpp"
 #include "target/spirv.hpp"
 
@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kLibrary = "the library", kMacros = "-D", kCaller = "the layer's call";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kFirstCall = 2;         // a line
 constexpr std::size_t kLongestMessage = 400;  // glslang's; one that compares types has more than 100 letters
 
 // A text without the prefix of a shader's names, for people.
@@ -108,14 +109,12 @@ private:
     bool signature(const material::ShaderCall& call) {
         std::string wanted = custom::signature(call.result, call.function, call.arguments);
         std::vector<std::string_view> names;
-        std::vector<Note> near;
         for (const custom::Declaration& f : scanned_.functions) {
             names.push_back(f.name);
-            if (f.name != call.function) continue;
-            if (f.result == call.result && f.parameters == call.arguments) return true;
-            near.push_back({fmt::format("'{}' is here", custom::signature(f.result, f.name, f.parameters)),
-                            {shader_.source, f.span, ""}});
+            if (f.name == call.function && f.result == call.result && f.parameters == call.arguments)
+                return true;
         }
+        std::vector<Note> near = functions_called(call.function);
         std::string hint = near.empty() ? did_you_mean(call.function, names) : "";
         if (near.empty() && hint.empty())
             hint = names.empty() ? ", it has none" : fmt::format(", it has {}", one_of(names));
@@ -128,27 +127,49 @@ private:
         return false;
     }
 
+    [[nodiscard]] std::vector<Note> functions_called(const std::string& name) const {
+        std::vector<Note> out;
+        for (const custom::Declaration& f : scanned_.functions) {
+            if (f.name == name)
+                out.push_back({fmt::format("'{}' is here", custom::signature(f.result, f.name, f.parameters)),
+                               {shader_.source, f.span, ""}});
+        }
+        return out;
+    }
+
     static std::string everything(const std::vector<std::string_view>& files) {
         std::string out;
         for (std::string_view file : files) out += fmt::format("#include \"{}\"\n", file);
         return out;
     }
 
-    // The calls as the generated shader makes them.
+    // The calls as the generated shader makes them, each on a line of its own from kFirstCall on, and a main
+    // that makes them all: what it reaches must have a body.
     [[nodiscard]] std::string calls() const {
-        std::string out = "\n";
+        std::string out = "\n", made;
         std::size_t number = 0;
         for (const material::ShaderCall& call : material_.calls) {
             if (call.shader != number_) continue;
-            std::string parameters, arguments;
+            std::string parameters, arguments, given;
             for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-                parameters += fmt::format("{}{} sg_a{}", i > 0 ? ", " : "", call.arguments[i], i);
-                arguments += fmt::format("{}sg_a{}", i > 0 ? ", " : "", i);
+                const std::string& type = call.arguments[i];
+                const char* comma = i > 0 ? ", " : "";
+                parameters += fmt::format("{}{} sg_a{}", comma, type, i);
+                arguments += fmt::format("{}sg_a{}", comma, i);
+                bool global = type == "texture2D" || type == "sampler";
+                std::string value = global ? "sg_any_" + type : fmt::format("sg_b{}_{}", number, i);
+                if (!global) made += fmt::format("    {} {};\n", type, value);
+                given += comma + value;
             }
-            out += fmt::format("{} sg_call{}({}) {{ return {}{}({}); }}\n", call.result, number++, parameters,
+            out += fmt::format("{} sg_call{}({}) {{ return {}{}({}); }}\n", call.result, number, parameters,
                                prefix_, call.function, arguments);
+            made += fmt::format("    sg_call{}({});\n", number++, given);
         }
-        return out + "void main() {}\n";
+        return out +
+               "layout(set = 0, binding = 0) uniform texture2D sg_any_texture2D;\n"
+               "layout(set = 0, binding = 1) uniform sampler sg_any_sampler;\n"
+               "void main() {\n" +
+               made + "}\n";
     }
 
     // What declares the types of the arguments: all that a generated shader is sure to bring.
@@ -163,8 +184,9 @@ private:
         return everything(files);
     }
 
-    // Compiles with these includes in front of what the types of arguments need.
-    bool compiles(const std::string& includes) {
+    // The first fault, with these includes in front of what the types of arguments
+    // need.
+    [[nodiscard]] std::optional<target::GlslFault> fault_of(const std::string& includes) const {
         std::string before =
             "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + of_arguments() + includes;
         std::string behind = calls();
@@ -172,27 +194,94 @@ private:
         const std::string whole = text_ + "\n";
         const target::GlslPart parts[] = {
             {kLibrary, before}, {kMacros, macros_}, {shader_.file, whole}, {kCaller, behind}};
-        auto fault = target::check_glsl(parts, target::Stage::fragment, library_);
+        return target::check_glsl(parts, target::Stage::fragment, library_);
+    }
+
+    bool compiles(const std::string& includes) {
+        auto fault = fault_of(includes);
         if (!fault) return true;
-        std::string what = unprefixed(fault->what, prefix_, all_names_);
-        for (std::string_view start : {"'' : ", " "}) {
+        const bool syntax = fault->what.find("syntax error") != fault->what.npos;
+        if (fault->part == kCaller && !syntax && not_there(fault->line)) return false;
+        std::string what = words(*fault);
+        std::optional<Span> span = place(*fault);
+        if (!span && fault->part == kCaller && syntax && !scanned_.tokens.empty()) {
+            what += " (behind the end of the file)";
+            span = scanned_.tokens.back().span;
+        } else if (!span && fault->line > 0) {
+            what += fmt::format(" (in {}, line {})", printable(fault->part), fault->line);
+        }
+        error(Code::glsl_fault, span.value_or(Span{0, 1}), std::move(what));
+        return false;
+    }
+
+    // glslang's words under the user's names, with what else is known.
+    [[nodiscard]] std::string words(const target::GlslFault& fault) const {
+        std::string what = unprefixed(fault.what, prefix_, all_names_);
+        for (std::string_view start : {"'' : ", " ", "Linking fragment stage: "}) {
             if (what.starts_with(start)) what.erase(0, start.size());
         }
         while (what.ends_with(' ')) what.pop_back();
+        if (auto [from, to] = linked(fault); !to.empty()) {
+            what += from == to ? fmt::format(" '{}' calls itself", from)
+                               : fmt::format(" '{}' calls '{}' in a circle", from, to);
+        } else if (!from.empty()) {
+            what += fmt::format(" '{}'", from);
+        }
         for (const auto& [type, file] : kDeclares) {
             if (what.find(fmt::format("'{}'", type)) != what.npos)
                 what += fmt::format("; #include \"{}\" declares it", file);
         }
-        bool here = fault->part == shader_.file && fault->line > 0;
-        if (!here && fault->line > 0)
-            what += fmt::format(" (in {}, line {})", printable(fault->part), fault->line);
-        error(Code::glsl_fault, here ? place(fault->line, fault->what) : Span{0, 1},
-              printable(what, kLongestMessage));
+        return printable(what, kLongestMessage);
+    }
+
+    // The function that the linker names, and one that it calls: "c_a(f1; calling c_b(vf3;".
+    [[nodiscard]] std::pair<std::string, std::string> linked(const target::GlslFault& fault) const {
+        if (fault.details.empty()) return {};
+        constexpr std::string_view kCalling = " calling ";
+        const std::string detail = unprefixed(fault.details[0], prefix_, all_names_);
+        const std::size_t calling = detail.find(kCalling);
+        auto name = [](const std::string& text) { return text.substr(0, text.find('(')); };
+        return {name(detail), calling == detail.npos ? "" : name(detail.substr(calling + kCalling.size()))};
+    }
+
+    // A call that finds no function though there is one: a condition leaves it out, or a macro changes its
+    // types.
+    bool not_there(std::size_t line) {
+        std::size_t number = kFirstCall;
+        for (const material::ShaderCall& call : material_.calls) {
+            if (call.shader != number_ || number++ != line) continue;
+            error_at(call.function_at,
+                     fmt::format("the layer calls '{}', which '{}' does not have under its conditions and "
+                                 "macros (#if, #define)",
+                                 custom::signature(call.result, call.function, call.arguments),
+                                 printable(shader_.file)),
+                     functions_called(call.function));
+            return true;
+        }
         return false;
     }
 
+    // Where in the user's file a fault is; nothing if it is elsewhere.
+    [[nodiscard]] std::optional<Span> place(const target::GlslFault& fault) const {
+        const std::vector<custom::Token>& tokens = scanned_.tokens;
+        if (fault.what.find("missing #endif") != fault.what.npos) {
+            custom::Piece open = custom::open_condition(tokens);
+            if (open.end > open.begin) return custom::span_of(tokens, open);
+        }
+        if (std::string name = linked(fault).first; !name.empty()) {
+            for (const custom::Declaration& f : scanned_.functions) {
+                if (f.name == name) return f.span;
+            }
+            for (const custom::Token& token : tokens) {
+                if (token.directive == 0 && token.text == name) return token.span;
+            }
+        }
+        if (fault.part != shader_.file || fault.line == 0) return std::nullopt;
+        return place_in_line(fault.line, fault.what);
+    }
+
     // glslang tells the line and often the token, between quotes.
-    [[nodiscard]] Span place(std::uint32_t line, const std::string& what) const {
+    [[nodiscard]] Span place_in_line(std::uint32_t line, const std::string& what) const {
         std::string token;
         if (std::size_t begin = what.find('\''); begin != what.npos)
             token = unprefixed(what.substr(begin + 1, what.find('\'', begin + 1) - begin - 1), prefix_,

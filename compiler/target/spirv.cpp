@@ -67,6 +67,19 @@ std::string first_error(std::string_view log) {
     return std::string(line.substr(0, line.find('\n')));
 }
 
+// The lines that belong to the first fault: glslang's linker names functions on lines of their own.
+std::vector<std::string> indented(std::string_view log) {
+    constexpr std::string_view kIndent = "    ";
+    std::vector<std::string> out;
+    for (std::size_t at = log.find('\n'); at != log.npos; at = log.find('\n', at + 1)) {
+        std::string_view line = log.substr(at + 1);
+        if (!line.starts_with(kIndent)) break;
+        line = line.substr(kIndent.size());
+        out.emplace_back(line.substr(0, line.find('\n')));
+    }
+    return out;
+}
+
 void register_passes(spvtools::Optimizer& optimizer, Optimise level) {
     // The passes that change GPU code, in the order that lets each feed the next; functions have one return,
     // so merge-return is not among them.
@@ -180,11 +193,11 @@ std::optional<GlslFault> check_glsl(std::span<const GlslPart> parts, Stage stage
         glslang::GlslangToSpv(*parsed.program.getIntermediate(language(stage)), words,
                               static_cast<glslang::SpvOptions*>(nullptr));
         std::string invalid = validate(words);
-        return invalid.empty() ? std::nullopt : std::optional(GlslFault{"", 0, invalid});
+        return invalid.empty() ? std::nullopt : std::optional(GlslFault{"", 0, invalid, {}});
     }
     // "name:12: 'x' : undeclared identifier", where the name may hold colons.
     std::string first = first_error(log);
-    GlslFault fault{.part = "", .line = 0, .what = first};
+    GlslFault fault{.part = "", .line = 0, .what = first, .details = indented(log)};
     for (std::size_t at = first.find(':'); at != first.npos; at = first.find(':', at + 1)) {
         std::size_t end = at + 1;
         while (end < first.size() && first[end] >= '0' && first[end] <= '9') ++end;

@@ -44,6 +44,7 @@ struct GlslFault {
     std::string part;        // its name, or that of a file of the library
     std::uint32_t line = 0;  // from 1; 0: nowhere
     std::string what;
+    std::vector<std::string> details;  // what the lines behind that one say, where the linker is at fault
 };
 // Reads and links, no more: the first fault.
 std::optional<GlslFault> check_glsl(std::span<const GlslPart> parts, Stage stage,

@@ -200,6 +200,46 @@ TEST(CustomGlsl, TheLastLineNeedsNoBreak) {
     EXPECT_EQ(said_of("vec3 f(SgVolume o) { return o.p; } // the end"), "");
 }
 
+TEST(CustomGlsl, AConditionThatIsNotEnded) {
+    const std::string f = "vec3 f(SgVolume o) { return o.p; }\n";
+    EXPECT_EQ(said_of("#if 1\n" + f), glsl_fault("1", "missing #endif", "#if 1", 1, 5));
+    EXPECT_EQ(said_of("#ifdef FOO\n#if 1\n#endif\n" + f),
+              glsl_fault("1", "missing #endif", "#ifdef FOO", 1, 10));
+    EXPECT_EQ(said_of("#if 1\n" + f + "  # if 2 // three\n"),
+              glsl_fault("3", "missing #endif", "  # if 2 // three", 3, 6));
+}
+
+TEST(CustomGlsl, AConditionThatLeavesTheFunctionOut) {
+    EXPECT_EQ(
+        said_of("#if FOO\nvec3 f(SgVolume o) {\n    return o.p;\n}\n#endif\n"),
+        R"(wall.json:3:88: error: the layer calls 'vec3 f(SgVolume)', which 'a.glsl' does not have under its conditions and macros (#if, #define) [SG1603]
+ "id": "x", "kind": "custom", "file": "a.glsl", "function": "f", "returns": "volume_gradient", "arguments": [ "object" ]
+                                                            ^^^
+    at /bump/0/layers/0/function: make the function and the layer's "arguments" and "returns" agree
+a.glsl:2:6: note: 'vec3 f(SgVolume)' is here
+vec3 f(SgVolume o) {
+     ^
+)");
+    EXPECT_EQ(said_of("vec3 f(SgVolume o) {\n    return o.p;\n#if 0\n}\n#endif\n"),
+              glsl_fault("5",
+                         "syntax error, unexpected LEFT_BRACE, expecting SEMICOLON (behind the end of the "
+                         "file)",
+                         "#endif", 2, 5));
+}
+
+// What the linker says names no line.
+TEST(CustomGlsl, FunctionsThatCannotBeLinked) {
+    const std::string self = "float r(float x) { return r(x); }";
+    EXPECT_EQ(said_of(self + "\nvec3 f(SgVolume o) { return o.p * r(1.0); }\n"),
+              glsl_fault("1", "Recursion detected: 'r' calls itself", self, 7, 1));
+    EXPECT_EQ(said_of("float b(float x);\nfloat a(float x) { return b(x); }\n"
+                      "float b(float x) { return a(x); }\nvec3 f(SgVolume o) { return o.p; }\n"),
+              glsl_fault("3", "Recursion detected: 'b' calls 'a' in a circle",
+                         "float b(float x) { return a(x); }", 7, 1));
+    EXPECT_EQ(said_of("vec3 g(float x);\nvec3 f(SgVolume o) { return g(1.0); }\n"),
+              glsl_fault("1", "No function definition (body) found: 'g'", "vec3 g(float x);", 6, 1));
+}
+
 TEST(CustomGlsl, AnIncludeBetweenBrackets) {
     auto said = [](const std::string& line, const std::string& column, const std::string& what,
                    const std::string& carets) {
