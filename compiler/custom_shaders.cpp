@@ -184,26 +184,26 @@ private:
         return everything(files);
     }
 
-    // The first fault, with these includes in front of what the types of arguments
-    // need.
-    [[nodiscard]] std::optional<target::GlslFault> fault_of(const std::string& includes) const {
+    // The first fault of a version of the text, with these includes in front of it.
+    [[nodiscard]] std::optional<target::GlslFault> fault_of(const std::string& includes,
+                                                            const std::string& text) const {
         std::string before =
             "#version 450\n#extension GL_GOOGLE_include_directive : require\n" + of_arguments() + includes;
         std::string behind = calls();
         // glslang is a token ahead: without its line break the last token would stand in the next part.
-        const std::string whole = text_ + "\n";
+        const std::string whole = text + "\n";
         const target::GlslPart parts[] = {
             {kLibrary, before}, {kMacros, macros_}, {shader_.file, whole}, {kCaller, behind}};
         return target::check_glsl(parts, target::Stage::fragment, library_);
     }
 
     bool compiles(const std::string& includes) {
-        auto fault = fault_of(includes);
+        auto fault = fault_of(includes, text_);
         if (!fault) return true;
         const bool syntax = fault->what.find("syntax error") != fault->what.npos;
         if (fault->part == kCaller && !syntax && not_there(fault->line)) return false;
         std::string what = words(*fault);
-        std::optional<Span> span = place(*fault);
+        std::optional<Span> span = place(*fault, includes);
         if (!span && fault->part == kCaller && syntax && !scanned_.tokens.empty()) {
             what += " (behind the end of the file)";
             span = scanned_.tokens.back().span;
@@ -244,8 +244,7 @@ private:
         return {name(detail), calling == detail.npos ? "" : name(detail.substr(calling + kCalling.size()))};
     }
 
-    // A call that finds no function though there is one: a condition leaves it out, or a macro changes its
-    // types.
+    // A call that finds no function though there is one: a condition leaves it out, or a macro changes it.
     bool not_there(std::size_t line) {
         std::size_t number = kFirstCall;
         for (const material::ShaderCall& call : material_.calls) {
@@ -262,7 +261,8 @@ private:
     }
 
     // Where in the user's file a fault is; nothing if it is elsewhere.
-    [[nodiscard]] std::optional<Span> place(const target::GlslFault& fault) const {
+    [[nodiscard]] std::optional<Span> place(const target::GlslFault& fault,
+                                            const std::string& includes) const {
         const std::vector<custom::Token>& tokens = scanned_.tokens;
         if (fault.what.find("missing #endif") != fault.what.npos) {
             custom::Piece open = custom::open_condition(tokens);
@@ -277,22 +277,38 @@ private:
             }
         }
         if (fault.part != shader_.file || fault.line == 0) return std::nullopt;
-        return place_in_line(fault.line, fault.what);
+        custom::Piece line = custom::tokens_of_line(shader_.source->text, tokens, fault.line);
+        if (line.begin == line.end) return Span{0, 1};
+        return place_in_line(fault, line, includes);
     }
 
-    // glslang tells the line and often the token, between quotes.
-    [[nodiscard]] Span place_in_line(std::uint32_t line, const std::string& what) const {
-        std::string token;
-        if (std::size_t begin = what.find('\''); begin != what.npos)
-            token = unprefixed(what.substr(begin + 1, what.find('\'', begin + 1) - begin - 1), prefix_,
-                               all_names_);
-        std::optional<Span> first;
-        for (const custom::Token& t : scanned_.tokens) {
-            if (line_column(shader_.source->text, t.span.begin).line != line) continue;
-            if (t.text == token) return t.span;
-            if (!first) first = t.span;
+    // glslang tells the line and often the token, between quotes. Where on the line is asked by compiling
+    // once more, with each piece of it on a line of its own.
+    [[nodiscard]] Span place_in_line(const target::GlslFault& fault, const custom::Piece& line,
+                                     const std::string& includes) const {
+        const std::vector<custom::Token>& tokens = scanned_.tokens;
+        std::string named;
+        if (std::size_t begin = fault.what.find('\''); begin != fault.what.npos) {
+            std::size_t end = fault.what.find('\'', begin + 1);
+            named = unprefixed(fault.what.substr(begin + 1, end - begin - 1), prefix_, all_names_);
         }
-        return first.value_or(Span{0, 1});
+        std::vector<custom::Piece> pieces = custom::pieces(tokens, line);
+        std::vector<std::size_t> breaks;
+        for (std::size_t i = 1; i < pieces.size(); ++i) breaks.push_back(pieces[i].begin);
+        std::optional<target::GlslFault> again;
+        if (!breaks.empty())
+            again = fault_of(includes,
+                             custom::prefixed(shader_.source->text, scanned_, defined_, prefix_, breaks));
+        if (again && again->part == fault.part && again->what == fault.what && again->line >= fault.line &&
+            again->line - fault.line < pieces.size())
+            return custom::named_at(tokens, pieces[again->line - fault.line], named);
+        std::optional<Span> found;
+        for (std::size_t i = line.begin; i < line.end; ++i) {
+            if (tokens[i].text != named) continue;
+            if (found) return custom::span_of(tokens, line);  // which of them nobody knows
+            found = tokens[i].span;
+        }
+        return found.value_or(custom::span_of(tokens, line));
     }
 
     material::CheckedMaterial& material_;

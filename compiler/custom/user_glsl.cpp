@@ -335,7 +335,7 @@ UserGlsl scan(std::string_view text, std::span<const std::string_view> library) 
 }
 
 std::string prefixed(std::string_view text, const UserGlsl& scanned, std::span<const std::string> defines,
-                     std::string_view prefix) {
+                     std::string_view prefix, std::span<const std::size_t> breaks) {
     std::string out;
     std::size_t at = 0;
     for (std::size_t i = 0; i < scanned.tokens.size(); ++i) {
@@ -346,9 +346,12 @@ std::string prefixed(std::string_view text, const UserGlsl& scanned, std::span<c
         bool directive_name = i > 0 && token.directive != 0 && scanned.tokens[i - 1].text == "#";
         member =
             member || std::binary_search(scanned.members.begin(), scanned.members.end(), token.span.begin);
-        if (token.kind != TokenKind::identifier || !own || member || directive_name) continue;
+        bool renamed = token.kind == TokenKind::identifier && own && !member && !directive_name;
+        bool broken = std::binary_search(breaks.begin(), breaks.end(), i);
+        if (!renamed && !broken) continue;
         out += text.substr(at, token.span.begin - at);
-        out += prefix;
+        if (broken) out += '\n';
+        if (renamed) out += prefix;
         at = token.span.begin;
     }
     return out + std::string(text.substr(at));

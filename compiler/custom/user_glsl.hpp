@@ -33,9 +33,10 @@ struct UserGlsl {
 // `library`: what may be included. `text` must outlive the result.
 UserGlsl scan(std::string_view text, std::span<const std::string_view> library);
 
-// The text with a prefix in front of its own `names` and of `defines`; the same lines.
+// The text with a prefix in front of its own `names` and of `defines`; the same lines, and one more in front
+// of each token whose number is among `breaks`, which ascend.
 std::string prefixed(std::string_view text, const UserGlsl& scanned, std::span<const std::string> defines,
-                     std::string_view prefix);
+                     std::string_view prefix, std::span<const std::size_t> breaks = {});
 
 // A macro of the command line: "" or what is wrong with it.
 std::string define_fault(std::string_view name, std::string_view value);

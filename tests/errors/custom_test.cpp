@@ -102,7 +102,7 @@ TEST(CustomGlsl, MacrosOfTheCommandLine) {
     std::string defined = fragment(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0"}}));
     EXPECT_NE(defined.find("#define c_DEPTH 2.0\n"), std::string::npos) << defined;
     EXPECT_EQ(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0.0.0"}}).messages.substr(0, 15),
-              "a.glsl:4:1: err");
+              "a.glsl:4:32: er");
     std::string last = fragment(compile(json, {{"a.glsl", text}}, {{"DEPTH", "2.0"}, {"DEPTH", "3.0"}}));
     EXPECT_EQ(last.find("#define c_DEPTH 2.0\n"), std::string::npos) << last;
     EXPECT_NE(last.find("#define c_DEPTH 3.0\n"), std::string::npos) << last;
@@ -238,6 +238,31 @@ TEST(CustomGlsl, FunctionsThatCannotBeLinked) {
                          "float b(float x) { return a(x); }", 7, 1));
     EXPECT_EQ(said_of("vec3 g(float x);\nvec3 f(SgVolume o) { return g(1.0); }\n"),
               glsl_fault("1", "No function definition (body) found: 'g'", "vec3 g(float x);", 6, 1));
+}
+
+// glslang tells the line alone.
+TEST(CustomGlsl, ThePlaceOnALine) {
+    const std::string head = "vec3 f(SgVolume o) { ", tail = "return o.p; }";
+    auto line = [&](const std::string& before, const std::string& at, const std::string& behind,
+                    const std::string& what) {
+        const std::string text = head + before + at + behind;
+        EXPECT_EQ(said_of(text + "\n"),
+                  glsl_fault("1", what, text, head.size() + before.size() + 1, at.size()));
+    };
+    line("return o.p ", "}", "", kNoSemicolon);
+    line("{ } return o.p ", "}", " vec3 g() { return vec3(1.0); }", kNoSemicolon);
+    line("vec3 a = o.p; vec2 b ", "=", " a; " + tail,
+         "'=' :  cannot convert from ' temp highp 3-component vector of float' to ' temp highp 2-component "
+         "vector of float'");
+    line("float a = 1.0; a", "+=-", "vec2(1.0); " + tail,
+         "'assign' :  cannot convert from ' const 2-component vector of float' to ' temp highp float'");
+    line("float x = 1.0; /* x */ float ", "x", " = 2.0; " + tail, "'x' : redefinition");
+    line("return o.p * length(1.0) * ", "length", "(length(1.0), length(2.0)); }",
+         "'length' : no matching overloaded function found");
+    line("float a = ", "08", "; " + tail, "octal literal digit too large");
+    EXPECT_EQ(said_of("#define A 1\n#define A 2 // two\n" + head + tail),
+              glsl_fault("2", "'#define' : Macro redefined; different substitutions: A", "#define A 2 // two",
+                         1, 11));
 }
 
 TEST(CustomGlsl, AnIncludeBetweenBrackets) {
