@@ -29,8 +29,10 @@ public:
         if (!after.valid()) return fmt::format("gone: {}{}{}", by, by.empty() ? "" : ", then ", loss(i));
         const std::string out = fmt::format("now %{}", after.index);
         if (!by.empty()) return fmt::format("{}: {}", out, by);
-        std::size_t origin = log_.origins[after.index].before.index;
-        return origin == i ? out : fmt::format("{}: the same as %{}", out, origin);
+        const opt::Origin& origin = log_.origins[after.index];
+        if (origin.before.index == i) return out;
+        const std::string made = origin.rule.empty() ? "" : fmt::format("what {} made of ", origin.rule);
+        return fmt::format("{}: the same as {}%{}", out, made, origin.before.index);
     }
 
     [[nodiscard]] std::string after(std::size_t i) const {

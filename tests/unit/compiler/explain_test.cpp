@@ -50,6 +50,24 @@ output normal = %22
 output uv 0 = %4
 )";
 
+// The twin of a line may be what a rule made of another line, which is nothing like it.
+TEST(Explain, NamesWhatALineIsTheSameAs) {
+    const std::string text = explain_module(
+        parsed("module \"twins\"\n%0 = facing : Scalar\n%1 = constant 2 : Scalar\n%2 = constant 3 : Scalar\n"
+               "%3 = multiply %1 %2 : Scalar\n%4 = constant 6 : Scalar\n%5 = constant 6 : Scalar\n"
+               "%6 = multiply %0 %3 : Scalar\n%7 = multiply %4 %6 : Scalar\n%8 = add %5 %7 : Scalar\n"
+               "output metallic = %8\n"));
+    EXPECT_NE(
+        text.find("%4 = constant 6 : Scalar                                                  # now %1: the "
+                  "same as what fold_numbers made of %3\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("%3 = multiply %1 %2 : Scalar                                              # now %1: "
+                        "fold_numbers\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST(Explain, NamesTheRuleThatTookTheLastUseAway) {
     EXPECT_EQ(explain_module(parsed(kSmall)), R"(# Before the optimiser: 23 values
 
