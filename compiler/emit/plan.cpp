@@ -139,7 +139,7 @@ private:
                                 module_.output(ir::Output::base_color).valid();
         for (const ir::OutputBinding& output : module_.outputs) {
             bool taken_apart = output.output == ir::Output::frame ||
-                               is_interpolated(output.output) ||
+                               output.output == ir::Output::uv || output.output == ir::Output::volume ||
                                output.output == ir::Output::normal_derivatives ||
                                output.output == ir::Output::basis_vertex;
             if (output.output == ir::Output::opacity) taken_apart = tested_and_shown;
