@@ -7,10 +7,19 @@
 
 namespace sg::material {
 
-CheckedLayer Checker::layer(const LayerDecl& decl) {
-    ++layer_count;
-    CheckedLayer checked{.id = decl.id.value.empty() ? fmt::format("layer {}", layer_count) : decl.id.value,
-                         .kind = decl.kind};
+// A written name starts with no '$' or '@', but may be any of those that are made up.
+std::string Checker::made_up_id(std::string id) const {
+    while (ids_by_name.contains(id)) id.insert(0, "unnamed ");
+    return id;
+}
+
+CheckedLayer Checker::layer(const LayerDecl& decl, bool counts) {
+    // What stands for a function of the user's is in no shader beside it: it names and bounds nothing.
+    const std::size_t number = counts ? ++layer_count : ++equivalent_count;
+    if (counts && number == kMaxLayers + 1) layer_too_many = decl.at;
+    CheckedLayer checked{.id = decl.id.value, .kind = decl.kind};
+    if (checked.id.empty())
+        checked.id = made_up_id(fmt::format("{} {}", counts ? "layer" : "equivalent", number));
     checked.common = values("a layer", layers::common_fields(), decl.common);
     if (decl.kind) {
         checked.values =
@@ -18,8 +27,8 @@ CheckedLayer Checker::layer(const LayerDecl& decl) {
         together(*decl.kind, decl.at, decl.entries, checked.values);
         if (decl.kind->result) shader_call(decl, checked);
     }
-    for (const LayerDecl& inner : decl.group.layers) checked.group.push_back(layer(inner));
-    for (const LayerDecl& inner : decl.equivalent) checked.equivalent.push_back(layer(inner));
+    for (const LayerDecl& inner : decl.group.layers) checked.group.push_back(layer(inner, counts));
+    for (const LayerDecl& inner : decl.equivalent) checked.equivalent.push_back(layer(inner, false));
     return checked;
 }
 
@@ -41,16 +50,19 @@ void Checker::parallax() {
     }
 }
 
-void Checker::claim_layers(const std::vector<LayerDecl>& decls, std::map<std::string_view, At>& seen) {
+void Checker::claim(const Located<std::string>& id) {
+    if (id.value.empty()) return;
+    auto [first, fresh] = ids_by_name.try_emplace(id.value, id.at);
+    if (fresh) return;
+    error(Code::duplicate_id, id.at, fmt::format("id '{}' is taken", printable(id.value)),
+          {note("the first is here", first->second)});
+}
+
+void Checker::claim_layers(const std::vector<LayerDecl>& decls) {
     for (const LayerDecl& decl : decls) {
-        auto [first, fresh] =
-            decl.id.value.empty() ? std::pair(seen.end(), true) : seen.try_emplace(decl.id.value, decl.id.at);
-        if (!fresh) {
-            error(Code::duplicate_id, decl.id.at, fmt::format("id '{}' is taken", printable(decl.id.value)),
-                  {note("the first is here", first->second)});
-        }
-        claim_layers(decl.group.layers, seen);
-        claim_layers(decl.equivalent, seen);
+        claim(decl.id);
+        claim_layers(decl.group.layers);
+        claim_layers(decl.equivalent);
     }
 }
 
@@ -67,17 +79,9 @@ void Checker::index_names() {
 
 // Stages and layers share one space of names: messages, generated text and views use them.
 void Checker::ids() {
-    std::map<std::string_view, At> seen;
     for (const StageDecl& stage : in.bump) {
-        if (!stage.id.value.empty()) {
-            auto [first, fresh] = seen.try_emplace(stage.id.value, stage.id.at);
-            if (!fresh) {
-                error(Code::duplicate_id, stage.id.at,
-                      fmt::format("id '{}' is taken", printable(stage.id.value)),
-                      {note("the first is here", first->second)});
-            }
-        }
-        claim_layers(stage.layers, seen);
+        claim(stage.id);
+        claim_layers(stage.layers);
     }
 }
 
@@ -147,21 +151,21 @@ std::optional<CheckedMaterial> check(const Material& material, Files& files, con
         checker.current_entry = checker.out.stages.size();
         checker.out.stages.emplace_back();
         checker.out.stage_ids.push_back(stage.id.value);
-        for (const LayerDecl& decl : stage.layers) checker.out.stages.back().push_back(checker.layer(decl));
+        for (const LayerDecl& decl : stage.layers)
+            checker.out.stages.back().push_back(checker.layer(decl, true));
     }
     checker.surface();
-    auto limit = [&](std::size_t count, std::size_t most, std::string_view things) {
+    auto limit = [&](std::size_t count, std::size_t most, std::string_view things, const At& at) {
         if (count > most)
-            checker.error(Code::too_many, {{0, 1}, ""},
-                          fmt::format("{} {}, expected at most {}", count, things, most));
+            checker.error(Code::too_many, at, fmt::format("{} {}, expected at most {}", count, things, most));
     };
     if (material.bump.size() > kMaxStages) {
         checker.error(
             Code::too_many, material.bump[kMaxStages].at,
             fmt::format("{} entries of 'bump', expected at most {}", material.bump.size(), kMaxStages));
     }
-    limit(checker.layer_count, kMaxLayers, "layers");
-    limit(checker.out.textures.size(), kMaxTextures, "textures that are used");
+    limit(checker.layer_count, kMaxLayers, "layers", checker.layer_too_many);
+    limit(checker.out.textures.size(), kMaxTextures, "textures that are used", checker.texture_too_many);
     if (diags.error_count() > before) return std::nullopt;
     return std::move(checker.out);
 }

@@ -181,6 +181,7 @@ void Checker::textures() {
             error(Code::file_missing, decl.file.at, "file '' does not exist, expected a path");
         }
         texture_index[i] = static_cast<std::uint32_t>(out.textures.size());
+        if (used[i] && out.textures.size() == kMaxTextures) texture_too_many = decl.name.at;
         if (used[i]) out.textures.push_back(std::move(texture));
     }
 }

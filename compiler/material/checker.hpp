@@ -35,13 +35,18 @@ struct Checker {
     // check.cpp
     void index_names();
     void ids();
-    void claim_layers(const std::vector<LayerDecl>& layers, std::map<std::string_view, At>& seen);
-    CheckedLayer layer(const LayerDecl& decl);
+    void claim(const Located<std::string>& id);
+    void claim_layers(const std::vector<LayerDecl>& layers);
+    [[nodiscard]] std::string made_up_id(std::string id) const;
+    // `counts`: it is no equivalent of another, nor within one.
+    CheckedLayer layer(const LayerDecl& decl, bool counts);
     void parallax();
     void surface();
     void parameters();
-    std::size_t layer_count = 0;
-    std::size_t current_entry = 0;  // of bump
+    std::map<std::string, At, std::less<>> ids_by_name;  // that are written
+    std::size_t layer_count = 0, equivalent_count = 0;
+    At layer_too_many, texture_too_many;  // the first beyond the limit
+    std::size_t current_entry = 0;        // of bump
 
     // check_fields.cpp
     std::optional<std::size_t> find_texture(const std::string& name, const At& at);

@@ -61,7 +61,14 @@ private:
         return out;
     }
 
-    // `group`: that it stands in.
+    // What is replaced is not known: its equivalent is. `group`: that it stands in.
+    ir::LayerId declared(const CheckedLayer& layer, ir::LayerId group) {
+        if (replaced(layer)) return {};
+        return declared(layer.id, layer.kind ? layer.kind->name : "group", group);
+    }
+    [[nodiscard]] bool replaced(const CheckedLayer& layer) const {
+        return custom_ == Custom::replaced && !layer.equivalent.empty();
+    }
     ir::LayerId declared(const std::string& id, std::string_view kind, ir::LayerId group = {}) {
         std::string of;
         if (group.valid()) {
@@ -89,10 +96,12 @@ private:
     ValueId sum(const std::vector<CheckedLayer>& layers, ir::LayerId own = {}) {
         ValueId total;
         for (const CheckedLayer& layer : layers) {
-            auto [g, coverage] = scaled(layer, own);
+            const ir::LayerId known = declared(layer, own);
+            auto [g, coverage] = scaled(layer, known);
             ValueId share = share_of(layer, coverage);
             ValueId masked = share.valid() ? builder_.add(Op::mask_surfgrad, {g, share}) : g;
-            show(layer, masked);
+            // One layer alone, for the debug entry; likewise a group.
+            if (known.valid()) builder_.output(ir::Output::layer, masked, known.index);
             if (layer.common[layers::kBlend].index == layers::kBlendMix) {
                 if (!total.valid()) total = builder_.add(Op::zero_surfgrad);
                 if (!share.valid()) share = context_.constant(1);
@@ -102,15 +111,6 @@ private:
             total = total.valid() ? of_group(own, Op::add_surfgrad, {total, masked}) : masked;
         }
         return total.valid() ? total : builder_.add(Op::zero_surfgrad);
-    }
-
-    // One layer alone, for the debug entry; likewise a group.
-    void show(const CheckedLayer& layer, ValueId masked) {
-        auto named = [&](const ir::Layer& l) { return l.id == layer.id; };
-        const auto found = std::find_if(module_.layers.begin(), module_.layers.end(), named);
-        if (found != module_.layers.end())
-            builder_.output(ir::Output::layer, masked,
-                            static_cast<std::uint32_t>(found - module_.layers.begin()));
     }
 
     // What joins a group's layers is known by the group's name.
@@ -129,20 +129,19 @@ private:
         return coverage.valid() ? builder_.add(Op::multiply, {share, coverage}) : share;
     }
 
-    // A layer's gradient times its strength, and what it covers.
-    layers::Covered scaled(const CheckedLayer& layer, ir::LayerId group) {
+    // A layer's gradient times its strength, and what it covers. `own`: what it is declared as.
+    layers::Covered scaled(const CheckedLayer& layer, ir::LayerId own) {
         layers::Covered made;
-        if (custom_ == Custom::replaced && !layer.equivalent.empty()) {
+        if (replaced(layer)) {
             made.gradient = sum(layer.equivalent);
         } else if (layer.kind) {
-            context_.set_layer(declared(layer.id, layer.kind->name, group));
+            context_.set_layer(own);
             const layers::LayerKind& kind = *layer.kind;
             context_.follow_parallax(layers::follows_parallax(layer.values));
             made = kind.lower ? layers::Covered{kind.lower(context_, layer.values), {}}
                               : kind.lower_covered(context_, layer.values);
             context_.follow_parallax(true);
         } else {
-            const ir::LayerId own = declared(layer.id, "group", group);
             made.gradient = sum(layer.group, own);
         }
         const layers::FieldValue& strength = layer.common[layers::kStrength];
