@@ -178,7 +178,10 @@ Json textures_json(const ArtefactInput& input) {
                        {"green", t.facts.green_up ? "up" : "down"},
                        {"zero", t.facts.zero},
                        {"color_space", t.color_space == material::ColorSpace::srgb ? "srgb" : "linear"}});
-        if (!t.parameter.empty()) out.back()["parameter"] = t.parameter;
+        if (!t.parameter.empty()) {
+            out.back()["parameter"] = t.parameter;
+            out.back()["label"] = t.label;
+        }
         if (t.facts.swizzle != layers::TextureFacts{}.swizzle) {
             std::string letters;
             for (std::uint32_t channel : t.facts.swizzle) letters += "rgba"[channel];

@@ -79,7 +79,7 @@ struct ParameterBlock {
 
 struct TextureSlot {
     enum class Encoding { plain, normal_xyz, normal_xy };
-    std::string name;           // "$name": of a parameter
+    std::string name;           // for messages
     std::string file;           // as the author wrote it, relative to the texture root
     std::string hash;           // "": not known
     std::uint32_t binding = 0;  // in set 1
@@ -88,6 +88,7 @@ struct TextureSlot {
     std::array<int, 4> channels{0, 1, 2, 3};  // of a normal: where x, y, z and the rest stand
     bool srgb = false;
     std::uint32_t sampler_binding = 0;  // in set 1: the sampler that it is read with
+    std::string parameter;              // that exchanges the file; "" without one
 };
 
 struct SamplerSlot {

@@ -381,6 +381,7 @@ TextureSlot read_texture(const Node& node) {
     if (encoding == 1) slot.encoding = TextureSlot::Encoding::normal_xy;
     if (slot.encoding != TextureSlot::Encoding::plain) slot.zero = node.at("zero").number(127, 128);
     slot.srgb = node.at("color_space").choice(kSpaces) == 1;
+    if (node.has("parameter")) slot.parameter = node.at("parameter").text_or_empty();
     if (node.has("swizzle")) slot.channels = read_swizzle(node.at("swizzle"), slot.encoding);
     if (node.has("sampler_binding"))
         slot.sampler_binding = node.at("sampler_binding").integer(0, kMaxBinding);

@@ -21,11 +21,9 @@ const Parameter* find(const Artefact& artefact, std::string_view name, Diags& di
             names.push_back(parameter.name);
         }
     }
-    std::vector<std::string> textures;
     for (const TextureSlot& slot : artefact.textures) {
-        if (slot.name.starts_with('$')) textures.push_back(slot.name.substr(1));
+        if (!slot.parameter.empty()) names.push_back(slot.parameter);
     }
-    names.insert(names.end(), textures.begin(), textures.end());
     std::string known = names.empty() ? "it has none" : fmt::format("it has {}", one_of(names));
     diags.error(Code::unknown_material_parameter,
                 fmt::format("material '{}' has no parameter '{}'{} ({})", printable(artefact.name),

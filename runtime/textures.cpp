@@ -69,7 +69,8 @@ std::vector<std::string> exchange_textures(Artefact& artefact, std::span<const s
         const std::size_t equals = setting.find('=');
         bool taken = false;
         for (TextureSlot& slot : artefact.textures) {
-            if (equals == std::string::npos || slot.name != "$" + setting.substr(0, equals)) continue;
+            const bool named = !slot.parameter.empty() && slot.parameter == setting.substr(0, equals);
+            if (equals == std::string::npos || !named) continue;
             slot.file = setting.substr(equals + 1);
             slot.hash.clear();  // whatever it holds
             taken = true;

@@ -161,6 +161,8 @@ void Checker::textures() {
         CheckedTexture texture{
             .name = decl.name.value,
             .file = decl.file_source ? decl.file.value : from_material(decl.file.value),
+            .parameter = decl.parameter,
+            .label = decl.label,
             .encoding = decl.encoding,
             .facts = {decl.green_up.value, decl.zero.value, decl.range.value, {0, 1, 2, 3}},
             .color_space = decl.color_space ? decl.color_space->value : natural,

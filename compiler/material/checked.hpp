@@ -28,6 +28,7 @@ struct CheckedTexture {
     std::string file;       // as written, seen from the material's folder
     std::string hash;       // of the file's bytes
     std::string parameter;  // that replaces the file; "" without one
+    std::string label;      // of the parameter
     ir::TextureEncoding encoding{};
     layers::TextureFacts facts;
     ColorSpace color_space = ColorSpace::linear;

@@ -110,6 +110,7 @@ void texture_parameters(Material& material, Diags& diags) {
         TextureDecl own = material.textures[static_cast<std::size_t>(name - names.begin())];
         own.name = {"$" + p.name.value, p.name.at};
         own.parameter = p.name.value;
+        own.label = p.label;
         if (!p.replacement.value.empty()) {
             own.file = p.replacement;
             own.file_source = p.replaced_in;

@@ -62,6 +62,7 @@ struct TextureDecl {
     SourcePtr
         file_source;  // where the file is named, if that is another text; then it is seen from the outermost
     std::string parameter;  // that it stands for; "" without one
+    std::string label;      // of the parameter
     ir::TextureEncoding encoding = ir::TextureEncoding::tangent_normal;
     Located<bool> green_up{true, {}};
     Located<double> zero{127.5, {}};

@@ -7,6 +7,7 @@
 
 #include "base/files.hpp"
 #include "runtime/parameters.hpp"
+#include "runtime/textures.hpp"
 #include "tests/unit/runtime/sample_artefact.hpp"
 
 namespace sg::runtime {
@@ -158,6 +159,28 @@ TEST(Parameters, StartFromTheDefaultsAndTakeSettings) {
         std::size_t before = diags.error_count();
         EXPECT_FALSE(pack_parameters(*artefact, std::vector<std::string>{bad}, diags)) << bad;
         EXPECT_EQ(diags.error_count(), before + 1) << bad;
+    }
+}
+
+// By what the manifest says, whatever the texture is called.
+TEST(Parameters, OfTexturesExchangeTheirFiles) {
+    for (const std::string name : {"paint", "$paint"}) {
+        MemoryFiles files = sample_with(
+            R"("paint", "file")", "\"" + name + R"(", "parameter": "picture", "label": "Picture", "file")");
+        Diags diags;
+        auto artefact = read_artefact(files, "dir/sample.json", diags);
+        ASSERT_TRUE(artefact) << render(diags);
+        using Settings = std::vector<std::string>;
+        EXPECT_EQ(exchange_textures(*artefact, Settings{"paint=a.png", "gain=1"}),
+                  (Settings{"paint=a.png", "gain=1"}));
+        EXPECT_EQ(artefact->textures.at(0).file, "pictures/paint.png");
+        EXPECT_EQ(exchange_textures(*artefact, Settings{"picture=a.png", "gain=1"}), Settings{"gain=1"});
+        EXPECT_EQ(artefact->textures.at(0).file, "a.png");
+        EXPECT_FALSE(pack_parameters(*artefact, Settings{"paint=a.png"}, diags));
+        EXPECT_EQ(render(diags),
+                  "error: material 'sample' has no parameter 'paint', did you mean 'tint'? (it has 'tint', "
+                  "'gain' or 'picture') "
+                  "[SG2104]\n");
     }
 }
 
