@@ -121,12 +121,22 @@ void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range li
         auto bad = std::find_if(decl.fallback.begin(),
                                 decl.fallback.begin() + static_cast<std::ptrdiff_t>(count), outside);
         if (bad == decl.fallback.begin() + static_cast<std::ptrdiff_t>(count)) return;
+        if (decl.set_in) return instance_limits(decl, *bad, at, limits);
         found = fmt::format("is {} by default", *bad);
     }
     error(Code::out_of_range, at,
           fmt::format("parameter '{}' {}, expected {} to {} here", printable(decl.name.value), found,
                       limits.minimum, limits.maximum),
           {note("it is declared here", decl.name.at)});
+}
+
+// The base is right, and does not know of the instance: that is told, once for however many uses.
+void Checker::instance_limits(const ParameterDecl& decl, double bad, const At& use, Range limits) {
+    if (!told_of_instance.insert({&decl, limits.minimum, limits.maximum}).second) return;
+    diags.error(Code::out_of_range, {decl.set_in, decl.set_at.span, decl.set_at.pointer},
+                fmt::format("parameter '{}' is {}, expected {} to {} where it is used",
+                            printable(decl.name.value), bad, limits.minimum, limits.maximum),
+                {note("it is used here", use)});
 }
 
 // A node of one number, or colour, that stands in place of it.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "material/checked.hpp"
 #include "material/object_reader.hpp"
@@ -60,6 +62,8 @@ struct Checker {
     [[nodiscard]] bool misread(const NodeDecl& decl) const;
     // What a parameter is by default, and may be by its range, must be fit for the use.
     void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
+    void instance_limits(const ParameterDecl& decl, double bad, const At& use, Range limits);
+    std::set<std::tuple<const ParameterDecl*, double, double>> told_of_instance;
     // The number of an entry of bump that stands before the current one.
     std::uint32_t earlier_entry(const std::string& id, const At& at);
     // Reports a field that only means something behind a parallax.

@@ -158,6 +158,8 @@ void Reader::override_parameters(ObjectReader& reader, const std::string& folder
         if (decl->faulty) continue;
         if (decl->type != ParameterType::texture) {
             parameter_value(values, member->key, *decl);
+            decl->set_in = source;
+            decl->set_at = {member->value.span, pointer};
         } else if (auto file = values.name_of_file(member->key)) {
             decl->replacement = {(fs::path(folder) / *file).lexically_normal().generic_string(),
                                  {member->value.span, pointer}};

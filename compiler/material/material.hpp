@@ -41,6 +41,8 @@ struct ParameterDecl {
     Located<std::string>
         replacement;        // the file in its place, seen from the outermost material; "" without one
     SourcePtr replaced_in;  // the text of that
+    SourcePtr set_in;       // the text of the instance that sets `fallback`; null without one
+    At set_at;              // in that
     bool faulty = false;    // its type was reported; nothing else about it is
 };
 
