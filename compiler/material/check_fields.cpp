@@ -108,8 +108,9 @@ ir::ParameterId Checker::id_of(const ParameterDecl& decl) const {
     return parameter_index[static_cast<std::size_t>(&decl - in.parameters.data())];
 }
 
-void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range limits) {
-    if (decl.type == ParameterType::texture) return;
+void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range limits,
+                               std::vector<Note> notes) {
+    if (decl.faulty || decl.type == ParameterType::texture) return;
     auto outside = [&](double x) { return x < limits.minimum || x > limits.maximum; };
     std::string found;
     if (decl.type == ParameterType::boolean && (outside(0) || outside(1))) {
@@ -124,10 +125,11 @@ void Checker::parameter_limits(const ParameterDecl& decl, const At& at, Range li
         if (decl.set_in) return instance_limits(decl, *bad, at, limits);
         found = fmt::format("is {} by default", *bad);
     }
+    notes.insert(notes.begin(), note("it is declared here", decl.name.at));
     error(Code::out_of_range, at,
           fmt::format("parameter '{}' {}, expected {} to {} here", printable(decl.name.value), found,
                       limits.minimum, limits.maximum),
-          {note("it is declared here", decl.name.at)});
+          std::move(notes));
 }
 
 // The base is right, and does not know of the instance: that is told, once for however many uses.
@@ -139,18 +141,63 @@ void Checker::instance_limits(const ParameterDecl& decl, double bad, const At& u
                 {note("it is used here", use)});
 }
 
-// A node of one number, or colour, that stands in place of it.
-void Checker::constant_limits(const NodeDecl& decl, Range limits) {
-    if (!decl.kind || !decl.kind->name.starts_with("constant")) return;
-    for (const FieldEntry& entry : decl.entries) {
-        for (double x : entry.expression.numbers) {
-            if (x >= limits.minimum && x <= limits.maximum) continue;
-            error(Code::out_of_range, entry.at,
-                  fmt::format("'{}' is {}, expected {} to {} here", decl.kind->fields[entry.field].name, x,
-                              limits.minimum, limits.maximum));
+// Each node is walked over once, however many lead to it. Constants that lead to each other in a circle hold
+// nothing, which is told elsewhere.
+const Expression* Checker::constant_value(std::size_t node) {
+    constant_values.resize(in.nodes.size());
+    std::vector<std::size_t> path;
+    const Expression* held = nullptr;
+    while (node < in.nodes.size()) {
+        if (constant_values[node]) {
+            held = *constant_values[node];
             break;
         }
+        const NodeDecl& decl = in.nodes[node];
+        constant_values[node] = nullptr;
+        path.push_back(node);
+        if (!decl.kind || !decl.kind->name.starts_with("constant") || decl.entries.empty()) break;
+        const Expression& value = decl.entries.front().expression;
+        node = value.node;
+        if (value.kind == Expression::Kind::node) continue;
+        if (value.kind != Expression::Kind::node_name) held = &value;
+        auto named = nodes_by_name.find(value.name);
+        if (held || named == nodes_by_name.end()) break;
+        node = named->second;
     }
+    for (std::size_t passed : path) constant_values[passed] = held;
+    return held;
+}
+
+// What stands for one number, or colour, is bounded like that: a parameter, and a constant, however many
+// names lead to it. What is wrong is told where it stands, or where a name leads away from there.
+void Checker::constant_limits(const Expression& written, std::size_t node, Range limits) {
+    const Expression* held = constant_value(node);
+    if (!held) return;
+    const Expression* use = &written;
+    std::string who;
+    while (use->kind == Expression::Kind::node) {
+        const NodeDecl& inner = in.nodes[use->node];
+        who = fmt::format("'{}'", inner.kind->fields[inner.entries.front().field].name);
+        use = &inner.entries.front().expression;
+    }
+    std::vector<Note> notes;
+    if (use->kind == Expression::Kind::node_name) {
+        who = fmt::format("node '{}'", printable(use->name));
+        notes.push_back(
+            note(fmt::format("{} is declared here", who), in.nodes[nodes_by_name.at(use->name)].name.at));
+    }
+    if (held->kind == Expression::Kind::parameter) {
+        auto found = parameters_by_name.find(held->name);
+        if (found != parameters_by_name.end())
+            parameter_limits(in.parameters[found->second], use->at, limits, std::move(notes));
+        return;
+    }
+    auto outside = [&](double x) { return x < limits.minimum || x > limits.maximum; };
+    auto bad = std::find_if(held->numbers.begin(), held->numbers.end(), outside);
+    if (bad == held->numbers.end()) return;
+    error(Code::out_of_range, use->at,
+          fmt::format("{} is {}, expected {} to {} here", who, *bad, limits.minimum, limits.maximum),
+          std::move(notes));
 }
 
 // It was told that its texture holds no colour.
@@ -175,7 +222,7 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
         case Expression::Kind::parameter:
             if (const ParameterDecl* decl = find_parameter(written.name, written.at, types_for(kind))) {
                 value.parameter = id_of(*decl);
-                if (!decl->faulty) parameter_limits(*decl, written.at, limits);
+                parameter_limits(*decl, written.at, limits);
             }
             return;
         case Expression::Kind::node_name: {
@@ -196,7 +243,7 @@ void Checker::expression(const Expression& written, FieldKind kind, Range limits
     }
     value.node = {static_cast<std::uint32_t>(node)};
     const layers::NodeKind* found = in.nodes[node].kind;
-    if (written.kind == Expression::Kind::node) constant_limits(in.nodes[node], limits);
+    constant_limits(written, node, limits);
     if (found && found->result == ir::Type::Color && kind == FieldKind::number && !misread(in.nodes[node])) {
         std::string who = written.kind == Expression::Kind::node_name
                               ? fmt::format("node '{}'", printable(written.name))

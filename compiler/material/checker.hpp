@@ -58,10 +58,14 @@ struct Checker {
     [[nodiscard]] ir::ParameterId id_of(const ParameterDecl& decl) const;
     void expression(const Expression& written, layers::FieldKind kind, Range limits,
                     layers::FieldValue& value);
-    void constant_limits(const NodeDecl& decl, Range limits);
+    // The numbers or the parameter that a constant holds; null for a node that computes.
+    const Expression* constant_value(std::size_t node);
+    std::vector<std::optional<const Expression*>> constant_values;  // by node, as far as it was asked
+    void constant_limits(const Expression& written, std::size_t node, Range limits);
     [[nodiscard]] bool misread(const NodeDecl& decl) const;
     // What a parameter is by default, and may be by its range, must be fit for the use.
-    void parameter_limits(const ParameterDecl& decl, const At& at, Range limits);
+    void parameter_limits(const ParameterDecl& decl, const At& at, Range limits,
+                          std::vector<Note> notes = {});
     void instance_limits(const ParameterDecl& decl, double bad, const At& use, Range limits);
     std::set<std::tuple<const ParameterDecl*, double, double>> told_of_instance;
     // The number of an entry of bump that stands before the current one.

@@ -82,15 +82,15 @@ constexpr Verdict kVerdicts[] = {
 };
 
 constexpr BeyondCase kBeyondCases[] = {
-    {"SG1104_constants_in_place",
-     "a node's number is compared with the range of the field that it stands in"},
     {"SG1207_parallax_steps", "no keyword compares two numbers"},
     {"SG1105_in_base", "the fault is in the file that the instance extends"},
     {"SG1202_instance", "the types of its parameters are declared in the file that the instance extends"},
-    {"SG1104_parameter_limits", "a parameter's range is compared with the range of the field that uses it"},
 };
 
 constexpr BeyondMessage kBeyondMessages[] = {
+    {Code::out_of_range, " here",
+     "what a constant or a parameter is, is compared with the range of the field that uses it"},
+    {Code::out_of_range, " where it is used", "the field is in the file that the instance extends"},
     {Code::unused_setting, "'min_steps' is more than 'max_steps'", "no keyword compares two numbers"},
     {Code::unused_setting, "'angle_fade' runs backwards", "no keyword compares two numbers"},
     {Code::unused_setting, "the range 'from' is empty", "no keyword compares two numbers"},
