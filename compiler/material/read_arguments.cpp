@@ -11,7 +11,7 @@ using json::Value;
 
 // A word of layers::surface_arguments(), { "uv": ... }, { "texture": ... }, one to four numbers,
 // "$parameter",
-// "@node" or a node.
+// "@node" or a node. A texture with anything beside it is the node that reads it.
 std::optional<ArgumentDecl> Reader::argument(const Value& value, const std::string& pointer) {
     ArgumentDecl decl{.at = {value.span, pointer}};
     bool word =
@@ -34,7 +34,8 @@ std::optional<ArgumentDecl> Reader::argument(const Value& value, const std::stri
         decl.surface = static_cast<std::size_t>(found - names.begin());
         return decl;
     }
-    if (value.kind == Kind::object && !value.find("op")) {
+    const bool reads = value.kind == Kind::object && value.find("texture") && value.members.size() > 1;
+    if (value.kind == Kind::object && !value.find("op") && !reads) {
         ObjectReader reader = object(value, pointer, "an argument", {"uv", "texture"});
         if (value.find("uv")) {
             decl.kind = ArgumentDecl::Kind::uv;

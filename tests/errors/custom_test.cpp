@@ -70,6 +70,25 @@ vec3 m_x(SgFrame m_normal, texture2D x, sampler s, SgUv uv, float sg_material) {
     EXPECT_NE(fragment(result).find("const float c_s_0 = 1.0, c_p_x = 2.0;"), std::string::npos);
 }
 
+// A texture alone is handed over; with anything beside it, it is read.
+TEST(CustomGlsl, ATextureIsHandedOverOrRead) {
+    auto messages = [](const std::string& types, const std::string& argument) {
+        const std::string json = R"({ "version": 1,
+  "textures": { "x": { "file": "x.png", "encoding": "color" } },
+  "bump": [ { "layers": [ )" + layer("a.glsl", "f", "\"frame\", " + argument) +
+                                 " ] } ] }\n";
+        return compile(json, {{"a.glsl", "vec3 f(SgFrame frame, " + types + ") { return vec3(0); }\n"}})
+            .messages;
+    };
+    EXPECT_EQ(messages("texture2D t, sampler s", R"({ "texture": "x" })"), "");
+    EXPECT_EQ(messages("float x", R"({ "texture": "x", "channel": "r" })"), "");
+    EXPECT_EQ(messages("float x", R"({ "texture": "x", "channel": "r", "uv": 1 })"), "");
+    EXPECT_EQ(messages("vec3 x", R"({ "texture": "x", "uv": 1 })"), "");
+    EXPECT_EQ(messages("vec3 x", R"({ "uv": 1, "texture": "x" })"), "");
+    EXPECT_EQ(messages("vec3 x", R"({ "texture": "x", "tiling": 2 })"), "");
+    EXPECT_NE(messages("vec3 x", R"({ "texture": "x" })"), "");
+}
+
 // The macro of a struct's member is renamed with the rest; a member behind a dot is not.
 TEST(CustomGlsl, MembersKeepTheirNames) {
     const std::string text =

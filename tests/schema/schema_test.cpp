@@ -320,5 +320,33 @@ TEST(Schema, AgreesWithTheCompiler) {
     EXPECT_GT(refused, count / 4);
 }
 
+// What a user's function may be handed: of an argument's form both say the same.
+TEST(Schema, AgreesOnArguments) {
+    Checker checker;
+    const fs::path path = test::source_dir() / "materials/custom.json";
+    auto agreed = [&](const std::string& argument) {
+        const std::string text = R"({ "version": 1,
+  "textures": { "weave": { "file": "textures/weave_normal.png", "encoding": "color" } },
+  "bump": [ { "layers": [ { "kind": "custom", "file": "shaders/custom.glsl", "function": "dents",
+    "returns": "volume_gradient", "arguments": [ )" +
+                                 argument + " ] } ] } ] }";
+        const bool good = validator().refusal(text).empty();
+        for (int code : codes_of(checker.errors(path, text))) {
+            if (code < 1200) {
+                EXPECT_FALSE(good) << argument << ": SG" << code;
+            }
+        }
+        return good;
+    };
+    for (const char* argument :
+         {R"("frame")", "1", "[1, 2]", R"({ "uv": 1 })", R"({ "texture": "weave" })",
+          R"({ "texture": "weave", "channel": "r" })", R"({ "uv": 1, "texture": "weave" })",
+          R"({ "texture": "weave", "channel": "g", "tiling": 2 })", R"({ "op": "vertex_rgb" })"})
+        EXPECT_TRUE(agreed(argument)) << argument;
+    for (const char* argument : {"{ }", "[1]", R"({ "uv": 1, "channel": "r" })", R"({ "channel": "r" })",
+                                 R"({ "texture": "weave", "chanel": "r" })"})
+        EXPECT_FALSE(agreed(argument)) << argument;
+}
+
 }  // namespace
 }  // namespace sg
