@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/limits.hpp"
 #include "json/json.hpp"
 #include "runtime/artefact.hpp"
 
@@ -185,7 +186,7 @@ Parameter read_parameter(const Node& node, std::size_t block_size) {
     parameter.name = node.at("name").text_or_empty();
     std::size_t type = node.at("type").choice(kTypes);
     parameter.type = kTypes[type];
-    parameter.offset = node.at("offset").integer(0, 1u << 16);
+    parameter.offset = node.at("offset").integer(0, kMaxBlockBytes);
     for (const Node& value : node.at("default").items()) {
         parameter.initial.push_back(static_cast<float>(value.number(-kFloatMax, kFloatMax)));
     }
@@ -322,7 +323,7 @@ void read_derived(const Node& node, ParameterBlock& block) {
     for (const Node& row : node.at("derived").items()) {
         DerivedParameter derived;
         derived.count = kComponents[row.at("type").choice(kTypes)];
-        derived.offset = row.at("offset").integer(0, 1u << 16);
+        derived.offset = row.at("offset").integer(0, kMaxBlockBytes);
         if (derived.offset % sizeof(float) != 0 ||
             derived.offset + derived.count * sizeof(float) > block.size)
             row.fail("lies outside its block");
@@ -339,7 +340,7 @@ ParameterBlock read_block(const Node& node) {
     if (node.at("set").integer(0, 2) != 1 || node.at("binding").integer(0, kMaxBinding) != 0) {
         node.fail("must be binding 0 of set 1");
     }
-    block.size = node.at("size").integer(4, 1u << 14);
+    block.size = node.at("size").integer(4, kMaxBlockBytes);
     for (const Node& parameter : node.at("parameters").items()) {
         block.parameters.push_back(read_parameter(parameter, block.size));
     }

@@ -3,37 +3,10 @@
 #include <algorithm>
 
 #include "base/ice.hpp"
+#include "base/limits.hpp"
 #include "emit/names.hpp"
 
 namespace sg::emit {
-namespace {
-
-struct Std140 {
-    std::uint32_t size;
-    std::uint32_t alignment;
-};
-Std140 std140(ir::Type type) {
-    if (type == ir::Type::Projector) return {64, 16};
-    switch (ir::component_count(type)) {
-        case 1:
-            return {4, 4};
-        case 2:
-            return {8, 8};
-        case 3:
-            return {12, 16};
-        case 4:
-            return {16, 16};
-        default:
-            SG_UNREACHABLE("a parameter of a type that no block holds");
-    }
-}
-
-std::uint32_t align(std::uint32_t value, std::uint32_t to) {
-    return (value + to - 1) / to * to;
-}
-
-}  // namespace
-
 const TextureSlot* MaterialInterface::texture(std::uint32_t index) const {
     auto it = std::find_if(textures.begin(), textures.end(),
                            [&](const TextureSlot& t) { return t.texture == index; });
@@ -45,15 +18,16 @@ MaterialInterface material_interface(const ir::Module& module, std::span<const s
     Names members, variables;
     std::uint32_t offset = 0;
     auto add = [&](std::string_view prefix, const std::string& name, ir::Type type) {
-        Std140 layout = std140(type);
-        offset = align(offset, layout.alignment);
+        const ir::Std140 layout = ir::std140(type);
+        offset = ir::aligned(offset, layout.alignment);
         out.parameters.push_back({members.unique(prefix, name), type, offset});
         offset += layout.size;
     };
     for (const ir::Parameter& parameter : module.parameters) add("p_", parameter.name, parameter.type);
     out.first_derived = out.parameters.size();
     for (const ir::Derived& derived : module.derived) add("d_", derived.name, derived.type);
-    out.block_size = align(offset, 16);
+    out.block_size = ir::aligned(offset, 16);
+    SG_ASSERT(out.block_size <= kMaxBlockBytes);  // the checker leaves room for what is derived
 
     std::vector<bool> sampled(module.textures.size(), false);
     for (const ir::Value& value : module.values) {

@@ -193,6 +193,22 @@ std::size_t component_count(Type type) {
     }
 }
 
+Std140 std140(Type type) {
+    if (type == Type::Projector) return {64, 16};
+    switch (component_count(type)) {
+        case 1:
+            return {4, 4};
+        case 2:
+            return {8, 8};
+        case 3:
+            return {12, 16};
+        case 4:
+            return {16, 16};
+        default:
+            SG_UNREACHABLE("a parameter of a type that no block holds");
+    }
+}
+
 ValueId Builder::push(Value value) {
     value.layer = layer_;
     module_.values.push_back(std::move(value));

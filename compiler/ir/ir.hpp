@@ -236,6 +236,16 @@ std::vector<Type> operand_types(const Module& module, const Value& value);
 // How many of Value::number a constant of this type uses; 0 for types that no constant has.
 std::size_t component_count(Type type);
 
+// How a std140 block holds a value of a type that a parameter may have.
+struct Std140 {
+    std::uint32_t size;
+    std::uint32_t alignment;
+};
+Std140 std140(Type type);
+constexpr std::uint32_t aligned(std::uint32_t offset, std::uint32_t alignment) {
+    return (offset + alignment - 1) / alignment * alignment;
+}
+
 // Appends values; every function returns the id of the new one.
 class Builder {
 public:

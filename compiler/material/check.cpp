@@ -87,6 +87,8 @@ void Checker::ids() {
 
 // Those of type texture are no numbers: they stand for a texture.
 void Checker::parameters() {
+    std::uint32_t bytes = 0;
+    const ParameterDecl* first_beyond = nullptr;
     for (const ParameterDecl& p : in.parameters) {
         if (p.type == ParameterType::texture) {
             parameter_index.emplace_back();
@@ -94,7 +96,13 @@ void Checker::parameters() {
         }
         parameter_index.push_back({static_cast<std::uint32_t>(out.parameters.size())});
         out.parameters.push_back({p.name.value, p.type, p.fallback, p.range, p.label, p.unit});
+        const ir::Std140 layout = ir::std140(ir_type(p.type));
+        bytes = ir::aligned(bytes, layout.alignment) + layout.size;
+        if (bytes > kMaxParameterBytes && !first_beyond) first_beyond = &p;
     }
+    if (first_beyond)
+        error(Code::too_many, first_beyond->name.at,
+              fmt::format("{} bytes of parameters, expected at most {}", bytes, kMaxParameterBytes));
 }
 
 void Checker::surface() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "base/limits.hpp"
 #include "layers/lower_context.hpp"
 #include "material/find_file.hpp"
 #include "material/material.hpp"
@@ -94,6 +95,8 @@ inline constexpr std::size_t kMaxTextures = 64;
 inline constexpr std::size_t kMaxLayers = 256;
 inline constexpr std::size_t kMaxStages = 8;
 inline constexpr std::size_t kMaxArguments = 32;
+// Of the block, what is left by the derived parameters: at most 256 of at most 16 bytes each.
+inline constexpr std::uint32_t kMaxParameterBytes = kMaxBlockBytes - 256 * 16;
 inline constexpr std::size_t kMaxShaderBytes = 1u << 20u;  // of one file
 
 // Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of

@@ -88,6 +88,7 @@ constexpr BeyondCase kBeyondCases[] = {
 };
 
 constexpr BeyondMessage kBeyondMessages[] = {
+    {Code::too_many, " bytes of parameters", "no keyword adds up sizes"},
     {Code::out_of_range, " here",
      "what a constant or a parameter is, is compared with the range of the field that uses it"},
     {Code::out_of_range, " where it is used", "the field is in the file that the instance extends"},

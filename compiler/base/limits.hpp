@@ -1,0 +1,11 @@
+// Bounds that the compiler keeps to and the runtime relies on.
+#pragma once
+
+#include <cstdint>
+
+namespace sg {
+
+// Of a uniform block: what every device takes.
+inline constexpr std::uint32_t kMaxBlockBytes = 1u << 14u;
+
+}  // namespace sg
