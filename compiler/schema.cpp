@@ -323,14 +323,15 @@ Json parameter_value() {
               {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 16}}}}};
 }
 
-Json parameter_of(std::span<const std::string_view> types, Json value, bool ranged) {
+Json parameter_of(std::span<const std::string_view> types, Json value, bool ranged,
+                  std::string_view end = "number") {
     Json properties = {
         {"type", said(words(types), "what it is")},
         {"default", said(std::move(value), "its value where the engine sets none")},
     };
     if (ranged)
         properties["range"] =
-            said(numbers(2, {{"type", "number"}}), "the bounds of each component; left out: none");
+            said(numbers(2, {{"type", end}}), "the bounds of each component; left out: none");
     properties["label"] = said({{"type", "string"}}, "its name in an editor", "");
     properties["unit"] = said({{"type", "string"}}, "of its numbers, for an editor", "");
     return object(properties, {"type", "default"});
@@ -345,8 +346,9 @@ Json parameter_definition() {
         {"anyOf",
          {parameter_of(kFloat, any, true), parameter_of(kVec2, numbers(2, any), true),
           parameter_of(kThree, numbers(3, any), true), parameter_of(kVec4, numbers(4, any), true),
-          parameter_of(kInt, {{"type", "integer"}}, true), parameter_of(kBool, {{"type", "boolean"}}, false),
-          parameter_of(kMatrix, numbers(16, any), false), parameter_of(kTexture, reference("name"), false)}}};
+          parameter_of(kInt, {{"type", "integer"}}, true, "integer"),
+          parameter_of(kBool, {{"type", "boolean"}}, false), parameter_of(kMatrix, numbers(16, any), false),
+          parameter_of(kTexture, reference("name"), false)}}};
 }
 
 // One for each lighting model; a surface that names none has the first.

@@ -52,8 +52,32 @@ std::size_t code_points(std::string_view text) {
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
-// The source line and the carets under it; control characters become blanks so that columns stay true, and a
-// long line is cut to a window around the place.
+// How many bytes the character takes that a text starts with; 0: it is none of UTF-8.
+std::size_t character_size(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    const std::size_t size = lead < 0x80u   ? 1u
+                             : lead < 0xC2u ? 0u
+                             : lead < 0xE0u ? 2u
+                             : lead < 0xF0u ? 3u
+                             : lead < 0xF5u ? 4u
+                                            : 0u;
+    if (size > text.size()) return 0;
+    return code_points(text.substr(0, size)) == 1 ? size : 0;
+}
+
+// Control characters become blanks so that columns stay true, bytes that are no UTF-8 question marks.
+std::string shown(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        const bool control = size == 1 && (static_cast<unsigned char>(text[0]) < 0x20u || text[0] == 0x7F);
+        out += size == 0 ? "?" : control ? " " : std::string(text.substr(0, size));
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return out;
+}
+
+// The source line and the carets under it; a long line is cut to a window around the place.
 std::string caret_block(const Place& place) {
     std::uint32_t line_begin = 0;
     std::string_view line = line_at(place.source->text, place.span.begin, line_begin);
@@ -66,14 +90,13 @@ std::string caret_block(const Place& place) {
     std::size_t shown_end = std::min(line.size(), cut + kWindow);
     while (shown_end < line.size() && (static_cast<unsigned char>(line[shown_end]) & 0xC0u) == 0x80u)
         ++shown_end;
-    std::string shown(line.substr(cut, shown_end - cut));
-    for (char& c : shown) {
-        if (static_cast<unsigned char>(c) < 0x20u || c == 0x7F) c = ' ';
-    }
-    std::size_t indent = code_points(line.substr(cut, from - cut));
-    std::size_t width =
-        std::max<std::size_t>(1, code_points(line.substr(from, std::min(to, shown_end) - from)));
-    return fmt::format("{}\n{}{}\n", shown, std::string(indent, ' '), std::string(width, '^'));
+    const std::string before = shown(line.substr(cut, from - cut));
+    const std::string marked = shown(line.substr(from, std::min(to, shown_end) - from));
+    const std::string behind =
+        shown(line.substr(std::min(to, shown_end), shown_end - std::min(to, shown_end)));
+    const std::size_t width = std::max<std::size_t>(1, code_points(marked));
+    return fmt::format("{}{}{}\n{}{}\n", before, marked, behind, std::string(code_points(before), ' '),
+                       std::string(width, '^'));
 }
 
 // Where in the document, and what mends it.

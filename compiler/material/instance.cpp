@@ -73,8 +73,14 @@ private:
             return none;
         }
         std::string hash = content_hash(found->bytes);
+        Diags faults;
         auto document =
-            json::parse(std::make_shared<Source>(Source{joined, std::move(found->bytes)}), diags_);
+            json::parse(std::make_shared<Source>(Source{joined, std::move(found->bytes)}), faults);
+        for (const Diagnostic& d : faults.all()) {
+            std::vector<Note> notes = d.notes;
+            notes.push_back({"it is extended here", {source, at.span, at.pointer}});
+            diags_.error(d.code, d.place, d.message, std::move(notes));
+        }
         if (!document) return none;
         Material base = read(*document, found->path, fs::path(joined).parent_path());
         base.bases.push_back({joined, std::move(hash)});
@@ -141,6 +147,7 @@ void Reader::override_parameters(ObjectReader& reader, const std::string& folder
     std::vector<std::string_view> keys;
     for (const json::Member& member : written->members) keys.push_back(member.key);
     ObjectReader values = object(*written, "/parameters", "'parameters'", keys);
+    if (!values.ok()) return;
     std::vector<std::string_view> names;
     for (const ParameterDecl& decl : base.parameters) names.push_back(decl.name.value);
     for (const auto& [member, pointer] : reader.named("parameters")) {

@@ -157,8 +157,13 @@ std::optional<std::size_t> ObjectReader::choice(std::string_view key,
 
 std::optional<std::size_t> ObjectReader::choice(std::string_view key,
                                                 std::span<const std::string_view> choices, bool required) {
-    const Value* value = expect(key, Kind::string, required);
+    const Value* value = get(key, required);
     if (!value) return std::nullopt;
+    if (value->kind != Kind::string) {
+        error(Code::wrong_type, at(key, *value),
+              fmt::format("expected {} for '{}', found {}", one_of(choices), key, found_there(*value)));
+        return std::nullopt;
+    }
     auto it = std::find(choices.begin(), choices.end(), value->string);
     if (it != choices.end()) return static_cast<std::size_t>(it - choices.begin());
     error(Code::unknown_choice, at(key, *value),

@@ -57,6 +57,12 @@ void Reader::parameter(const json::Member& member, const std::string& pointer) {
                          fmt::format("'range' is {} to {}, expected the smaller number first", (*range)[0],
                                      (*range)[1]));
             decl.range.reset();
+        } else if (decl.type == ParameterType::integer &&
+                   ((*range)[0] != std::floor((*range)[0]) || (*range)[1] != std::floor((*range)[1]))) {
+            reader.error(Code::wrong_type, place,
+                         fmt::format("'range' is {} to {}, expected integers for a parameter of type 'int'",
+                                     (*range)[0], (*range)[1]));
+            decl.range.reset();
         } else if (!ranged) {
             reader.error(Code::unused_setting, place,
                          fmt::format("'range' means nothing for a parameter of type '{}'",
@@ -135,12 +141,25 @@ void Reader::budget(const Value& value, const std::string& pointer) {
     }
 }
 
+// It says nothing of its own, beside a key that is nearly "extends": what its parameters are stands
+// elsewhere.
+bool Reader::means_an_instance(const Value& root) {
+    static constexpr std::string_view kExtends[] = {"extends"};
+    for (std::string_view own : {"textures", "nodes", "bump", "surface", "budget"}) {
+        if (root.find(own)) return false;
+    }
+    return std::any_of(root.members.begin(), root.members.end(),
+                       [](const json::Member& member) { return !nearest(member.key, kExtends).empty(); });
+}
+
 void Reader::document(const Value& root) {
+    // One with "extends" is read as an instance.
     ObjectReader reader = object(root, "", "a material",
-                                 {"$schema", "version", "name", "description", "parameters", "textures",
-                                  "nodes", "bump", "surface", "budget"});
+                                 {"$schema", "version", "name", "description", "extends", "parameters",
+                                  "textures", "nodes", "bump", "surface", "budget"});
     if (!reader.ok()) return;
     header(reader);
+    if (means_an_instance(root)) return;
     for (const auto& [member, pointer] : reader.named("parameters")) parameter(*member, pointer);
     for (const auto& [member, pointer] : reader.named("textures")) texture(*member, pointer);
     named_nodes(reader);
@@ -151,9 +170,14 @@ void Reader::document(const Value& root) {
 
 void Reader::header(ObjectReader& reader) {
     reader.string("$schema");
-    if (auto version = reader.integer("version", {1, 1e6}, true); version && *version != kVersion) {
-        reader.error(Code::unsupported_version, reader.at("version", *reader.get("version")),
-                     fmt::format("'version' is {}, expected {}", *version, kVersion));
+    const Value* version = reader.get("version");
+    const bool whole =
+        version && version->kind == json::Kind::number && std::floor(version->number) == version->number;
+    if (!whole) {
+        reader.integer("version", kAnyNumber, true);  // says what is wrong
+    } else if (version->number != kVersion) {
+        reader.error(Code::unsupported_version, reader.at("version", *version),
+                     fmt::format("'version' is {}, expected {}", version->number, kVersion));
     }
     out.name = reader.name("name").value_or("");
     out.description = reader.string("description").value_or("");

@@ -24,6 +24,7 @@ struct Reader {
     SamplerDecl sampler(const json::Value& value, const std::string& pointer);
     void surface(const json::Value& value, const std::string& pointer);
     void budget(const json::Value& value, const std::string& pointer);
+    static bool means_an_instance(const json::Value& root);
     void document(const json::Value& root);
 
     // instance.cpp

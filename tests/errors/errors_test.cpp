@@ -85,7 +85,7 @@ TEST(Errors, TextThatIsNotUtf8) {
     EXPECT_EQ(check("wall.json", "{ \"version\": 1, \"name\": \"\xFF\" }"),
               "wall.json:1:26: error: syntax error while parsing value - invalid string: ill-formed UTF-8 "
               "byte [SG1004]\n"
-              "{ \"version\": 1, \"name\": \"\xFF\" }\n"
+              "{ \"version\": 1, \"name\": \"?\" }\n"
               "                         ^\n"
               "    save the file as UTF-8\n");
 }
