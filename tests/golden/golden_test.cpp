@@ -208,6 +208,30 @@ TEST(Samples, AnInstanceSharesItsShaders) {
     EXPECT_EQ(shaders("switches.json"), shaders("switches_worn.json"));
 }
 
+// Its layout belongs to the material, not to the entry points that happen to read it.
+TEST(Samples, ABlockThatNoShaderReadsIsDescribed) {
+    auto manifest = [](const std::string& type, const std::string& value) {
+        MemoryFiles files;
+        files.contents["/m/a.png"] = "";
+        Diags diags;
+        auto out = compile_material(
+            {.source = std::make_shared<Source>(Source{
+                 "wall.json",
+                 R"({ "version": 1, "parameters": { "p": { "type": ")" + type + R"(", "default": )" + value +
+                     R"( } }, "textures": { "a": { "file": "a.png", "encoding": "height" } } })"}),
+             .stem = "wall",
+             .roots = {"/m"},
+             .entries = {"depth", "normal"}},
+            files, target::embedded_library(), diags);
+        EXPECT_TRUE(out) << render(diags);
+        return out ? out->files.back().second : "";
+    };
+    const std::string unread = manifest("float", "0.5");
+    EXPECT_NE(unread.find("\"parameter_block\""), std::string::npos);
+    EXPECT_EQ(unread.find("SgMaterialBlock"), std::string::npos);
+    EXPECT_EQ(manifest("texture", "\"a\"").find("\"parameter_block\""), std::string::npos);
+}
+
 TEST(Samples, EveryLayerKindHasOne) {
     std::set<std::string> stems;
     for (const fs::path& path : samples()) stems.insert(path.stem().string());
