@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -31,6 +32,16 @@ Files::ReadResult RealFiles::read(const fs::path& path) {
 bool RealFiles::exists(const fs::path& path) {
     std::error_code ec;
     return fs::is_regular_file(path, ec);
+}
+
+std::vector<std::string> RealFiles::names(const fs::path& folder) {
+    std::vector<std::string> out;
+    std::error_code ec, of_entry;
+    for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec)) {
+        if (at->is_regular_file(of_entry)) out.push_back(at->path().filename().string());
+    }
+    std::sort(out.begin(), out.end());
+    return out;
 }
 
 fs::path RealFiles::canonical(const fs::path& path) {
@@ -77,6 +88,15 @@ Files::ReadResult MemoryFiles::read(const fs::path& path) {
 
 bool MemoryFiles::exists(const fs::path& path) {
     return contents.count(path.lexically_normal().string()) > 0;
+}
+
+std::vector<std::string> MemoryFiles::names(const fs::path& folder) {
+    std::vector<std::string> out;
+    for (const auto& [path, bytes] : contents) {
+        if (fs::path(path).parent_path() == folder.lexically_normal())
+            out.push_back(fs::path(path).filename().string());
+    }
+    return out;
 }
 
 fs::path MemoryFiles::canonical(const fs::path& path) {

@@ -24,6 +24,8 @@ public:
     };
     virtual ReadResult read(const std::filesystem::path& path) = 0;
     virtual bool exists(const std::filesystem::path& path) = 0;  // a regular file
+    // Of the regular files in a folder, in order; none where it cannot be read.
+    virtual std::vector<std::string> names(const std::filesystem::path& folder) = 0;
     // The path with symbolic links followed and dots removed; of a missing tail, as written.
     virtual std::filesystem::path canonical(const std::filesystem::path& path) = 0;
     // All files appear whole (temporary name, then rename) or, on an error, none: folders are made as needed.
@@ -36,6 +38,7 @@ class RealFiles final : public Files {
 public:
     ReadResult read(const std::filesystem::path& path) override;
     bool exists(const std::filesystem::path& path) override;
+    std::vector<std::string> names(const std::filesystem::path& folder) override;
     std::filesystem::path canonical(const std::filesystem::path& path) override;
     std::string write_all(const std::vector<std::pair<std::filesystem::path, std::string>>& files) override;
 };
@@ -47,6 +50,7 @@ public:
 
     ReadResult read(const std::filesystem::path& path) override;
     bool exists(const std::filesystem::path& path) override;
+    std::vector<std::string> names(const std::filesystem::path& folder) override;
     std::filesystem::path canonical(const std::filesystem::path& path) override;
     std::string write_all(const std::vector<std::pair<std::filesystem::path, std::string>>& files) override;
 };

@@ -17,6 +17,21 @@ bool inside(const fs::path& path, const std::vector<fs::path>& roots) {
     });
 }
 
+// ", did you mean 'textures/bricks.png'?" of what lies where a file was looked for, or "".
+std::string beside(const fs::path& written, const std::vector<fs::path>& missing, Files& files) {
+    for (const fs::path& path : missing) {
+        const std::vector<std::string> names = files.names(path.parent_path());
+        const std::string near{
+            nearest(written.filename().string(), std::vector<std::string_view>(names.begin(), names.end()))};
+        if (!near.empty())
+            return fmt::format(", did you mean '{}'?",
+                               printable((written.parent_path() / near).generic_string()));
+    }
+    return "";
+}
+
+constexpr std::size_t kMostSearched = 64;  // files that are missing: a folder may be large
+
 }  // namespace
 
 std::optional<FoundFile> find_file(const std::string& written, const At& at, const SourcePtr& source,
@@ -26,10 +41,10 @@ std::optional<FoundFile> find_file(const std::string& written, const At& at, con
         return std::nullopt;
     };
     const fs::path relative(written);
-    std::vector<fs::path> folders;
+    std::vector<fs::path> folders, missing;
     for (const fs::path& folder : roots.folders)
         folders.push_back(files.canonical(folder.empty() ? fs::path(".") : folder));
-    bool below = false, linked_away = false;
+    bool linked_away = false;
     for (const fs::path& folder : folders) {
         if (relative.is_absolute() || written.find('\0') != std::string::npos) break;
         fs::path path = files.canonical(folder / relative);
@@ -37,17 +52,19 @@ std::optional<FoundFile> find_file(const std::string& written, const At& at, con
             linked_away = linked_away || inside((folder / relative).lexically_normal(), folders);
             continue;
         }
-        below = true;
+        missing.push_back(path);
         if (!files.exists(path)) continue;
         Files::ReadResult result = files.read(path);
         if (result.status == Files::Status::ok) return FoundFile{std::move(result.bytes), std::move(path)};
         return error(Code::file_unreadable,
                      fmt::format("cannot read '{}': {}", printable(written), result.reason));
     }
-    if (below) {
-        return error(Code::file_missing,
-                     fmt::format("file '{}' does not exist, looked below the material's folder{}",
-                                 printable(written), roots.folders.size() > 1 ? " and every -I root" : ""));
+    if (!missing.empty()) {
+        const std::string near = diags.error_count() < kMostSearched ? beside(relative, missing, files) : "";
+        return error(
+            Code::file_missing,
+            fmt::format("file '{}' does not exist, looked below the material's folder{}{}",
+                        printable(written), roots.folders.size() > 1 ? " and every -I root" : "", near));
     }
     if (linked_away) {
         return error(Code::path_escapes,

@@ -103,6 +103,7 @@ TEST(Errors, FileThatCannotBeRead) {
     public:
         ReadResult read(const fs::path&) override { return {Status::unreadable, "", "Permission denied"}; }
         bool exists(const fs::path&) override { return true; }
+        std::vector<std::string> names(const fs::path&) override { return {}; }
         fs::path canonical(const fs::path& path) override { return path.lexically_normal(); }
         std::string write_all(const std::vector<std::pair<fs::path, std::string>>&) override {
             return "never";
