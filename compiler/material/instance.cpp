@@ -164,7 +164,9 @@ void Reader::override_parameters(ObjectReader& reader, const std::string& folder
         }
         if (decl->faulty) continue;
         if (decl->type != ParameterType::texture) {
+            const std::size_t before = diags.error_count();
             parameter_value(values, member->key, *decl);
+            if (diags.error_count() > before) continue;
             decl->set_in = source;
             decl->set_at = {member->value.span, pointer};
         } else if (auto file = values.name_of_file(member->key)) {

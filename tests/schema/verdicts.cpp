@@ -84,6 +84,8 @@ constexpr Verdict kVerdicts[] = {
 constexpr BeyondCase kBeyondCases[] = {
     {"SG1207_parallax_steps", "no keyword compares two numbers"},
     {"SG1105_in_base", "the fault is in the file that the instance extends"},
+    {"SG1104_in_instance",
+     "the fields and types of its parameters are in the file that the instance extends"},
     {"SG1202_instance", "the types of its parameters are declared in the file that the instance extends"},
 };
 
