@@ -95,7 +95,8 @@ std::vector<std::vector<float>> default_values(const ir::Module& module,
         std::copy(out.back().begin(), out.back().end(), rounded.begin());
         bindings.parameters.push_back(ir::datum_of(type, rounded));
     }
-    for (const ir::Datum& datum : ir::derived_values(ir::with_stored_numbers(module), bindings)) out.push_back(stored(datum));
+    for (const ir::Datum& datum : ir::derived_values(ir::with_stored_numbers(module), bindings))
+        out.push_back(stored(datum));
     return out;
 }
 

@@ -79,14 +79,15 @@ enum class DiagFormat { human, json };
 std::string render(const Diagnostic& diagnostic, DiagFormat format = DiagFormat::human, bool color = false);
 std::string render(const Diags& diags, DiagFormat format = DiagFormat::human, bool color = false);
 
-// The nearest of `candidates` within about a third of the word's length in edits (one in words of three or four
-// letters, none in shorter ones), else "".
+// The nearest of `candidates` within about a third of the word's length in edits (one in words of three or
+// four letters, none in shorter ones), else "".
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 // ", did you mean 'x'?" or "".
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 // "'a', 'b' or 'c'".
 std::string one_of(std::span<const std::string_view> words);
-// A text from a user made safe for one line of a terminal: control characters as \xNN, cut at `longest` bytes.
+// A text from a user made safe for one line of a terminal: control characters as \xNN, cut at `longest`
+// bytes.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
 }  // namespace sg

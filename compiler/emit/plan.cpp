@@ -138,8 +138,8 @@ private:
         bool tested_and_shown = wording_ == stage_wording && module_.output(ir::Output::cutoff).valid() &&
                                 module_.output(ir::Output::base_color).valid();
         for (const ir::OutputBinding& output : module_.outputs) {
-            bool taken_apart = output.output == ir::Output::frame ||
-                               output.output == ir::Output::uv || output.output == ir::Output::volume ||
+            bool taken_apart = output.output == ir::Output::frame || output.output == ir::Output::uv ||
+                               output.output == ir::Output::volume ||
                                output.output == ir::Output::normal_derivatives ||
                                output.output == ir::Output::basis_vertex;
             if (output.output == ir::Output::opacity) taken_apart = tested_and_shown;

@@ -34,7 +34,10 @@ ValueId lower(LowerContext& context, FieldValues values) {
 const LayerKind& noise() {
     static const LayerKind kRow{
         .name = "noise",
-        .doc = "procedural bumps on a volume; strength is the height, in world units, of the value 1; in object space an instance that is scaled by s has features of s times the size and, at the same height, 1/s of the slope",
+        .doc =
+            "procedural bumps on a volume; strength is the height, in world units, of the value 1; in object "
+            "space an instance that is scaled by s has features of s times the size and, at the same height, "
+            "1/s of the slope",
         .fields =
             {{.name = "function",
               .kind = FieldKind::choice,

@@ -132,9 +132,10 @@ const LayerKind& triplanar() {
 const LayerKind& planar() {
     static const LayerKind kRow = [] {
         LayerKind row{.name = "planar",
-                      .doc = "an image projected along one axis; strength is a factor on the slope "
-                             "against the units of the space: in object space an instance that is scaled by s "
-                             "has 1/s of the slope",
+                      .doc =
+                          "an image projected along one axis; strength is a factor on the slope "
+                          "against the units of the space: in object space an instance that is scaled by s "
+                          "has 1/s of the slope",
                       .fields = common("the map"),
                       .lower = lower_planar};
         row.fields.push_back({.name = "axis",

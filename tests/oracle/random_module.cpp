@@ -115,7 +115,8 @@ private:
         return id;
     }
 
-    // In one of 32 modules each, for they take the place of other outputs: what chance seldom brings together.
+    // In one of 32 modules each, for they take the place of other outputs: what chance seldom brings
+    // together.
     void resolve_seldom_things() {
         const std::vector<ValueId>&numbers = by_type_[Type::Scalar], &normals = by_type_[Type::Normal];
         const std::size_t which = below(32);
