@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -51,10 +52,12 @@ public:
             const std::string name = fmt::format("n{}", i);
             nodes[name] = node;
             (kind.result == ir::Type::Color ? colors_ : numbers_).push_back("@" + name);
+            if (kind.name == "constant" && is_checked(node["value"])) checked_names_.insert("@" + name);
         }
+        const std::string last = last_unchecked();
         Json out = {{"version", 1}, {"parameters", Json::parse(kParameters)}, {"nodes", nodes}};
-        Json seen = {{"op", "multiply"}, {"a", {{"op", "height"}}}, {"b", numbers_.back()}};
-        out["surface"] = {{"roughness", numbers_.back()}, {"metallic", seen}, {"base_color", colors_.back()}};
+        Json seen = {{"op", "multiply"}, {"a", {{"op", "height"}}}, {"b", last}};
+        out["surface"] = {{"roughness", last}, {"metallic", seen}, {"base_color", colors_.back()}};
         return out.dump();
     }
 
@@ -75,18 +78,30 @@ private:
             if (plain) return kind;
         }
     }
+    // Numbers and parameters' ranges are checked where they are used, also through `constant` nodes.
+    bool is_checked(const Json& value) const {
+        if (value.is_number()) return true;
+        const std::string& text = value.get_ref<const std::string&>();
+        return text[0] == '$' || checked_names_.contains(text);
+    }
+    std::string last_unchecked() const {
+        const auto last = std::ranges::find_if(numbers_.rbegin(), numbers_.rend(),
+                                               [&](const std::string& one) { return !is_checked(one); });
+        return last == numbers_.rend() ? "$on" : *last;
+    }
     // What a field takes from 0 to 1 alone may be a node of any value, but no such number or parameter.
     Json operand(const layers::Field& field) {
         const bool color = field.kind == layers::FieldKind::color,
                    wide = field.minimum <= -2 && field.maximum >= 3;
         const auto& from = color ? colors_ : numbers_;
         const std::string& picked = from[from.size() - 1 - below(std::min<std::size_t>(from.size(), 6))];
-        if (below(4) != 0 && (color || wide || picked[0] == '@')) return picked;
+        if (below(4) != 0 && (color || wide || !is_checked(picked))) return picked;
         return color ? Json{0.5, 0.25, 1} : Json(0.1 * static_cast<double>(below(wide ? 20 : 10)));
     }
 
     std::mt19937_64& random_;
     std::vector<std::string> numbers_{"$a", "$b", "$on", "$n"}, colors_{"$tint", "$three"};
+    std::set<std::string> checked_names_;
 };
 
 struct Subject {
