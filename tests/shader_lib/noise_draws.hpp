@@ -34,13 +34,16 @@ inline void put_noise(Expect& out, const ref::Noise& noise) {
 // <= 1.875 * (4 * 24 + 12 + 9), together less than 370.
 inline constexpr double kValueRoundings = 111.0, kGradientRoundings = 370.0;
 
-// |sign| of an octave is a matter of luck within the rounding of its value; the exact zeros at integers are
-// not.
+// |sign| of an octave is a matter of luck within the rounding of its value, also where the sum's terms happen
+// to cancel exactly in double; the zeros at integers are no sums and exact in both.
 inline bool on_a_corner(glm::dvec3 p, double footprint, int octaves) {
     bool corner = false;
     for (int i = 0; i < octaves; ++i) {
-        const double frequency = std::ldexp(1.0, i), n = std::abs(ref::noise_perlin(frequency * p).value);
-        corner |= ref::octave_weight(frequency * footprint) > 0.0 && n > 0.0 && n < kValueRoundings * kUlp;
+        const double frequency = std::ldexp(1.0, i);
+        const glm::dvec3 q = frequency * p;
+        const bool rounded =
+            q != glm::floor(q) && std::abs(ref::noise_perlin(q).value) < kValueRoundings * kUlp;
+        corner |= rounded && ref::octave_weight(frequency * footprint) > 0.0;
     }
     return corner;
 }
