@@ -233,6 +233,7 @@ std::string_view Body::plainer_wording(const Value& value) const {
 std::string Body::expression(std::size_t index) const {
     const Value& value = module_.values[index];
     std::string text(wording_of(index).glsl);
+    const bool is_sum = text == "{0} + {1}" || text == "{0} - {1}";
     replace_all(text, "{a}", attribute(value));
     if (ir::info(value.op).attribute == Attribute::Texture) {
         const TextureSlot* slot = material_.texture(value.index);
@@ -241,7 +242,13 @@ std::string Body::expression(std::size_t index) const {
         replace_all(text, "{s}", material_.samplers[slot->sampler].variable);
     }
     for (std::size_t i = 0; i < value.operands.size(); ++i) {
-        const std::string place = fmt::format("{{{}}}", i), operand = operand_of(index, i);
+        const std::string place = fmt::format("{{{}}}", i);
+        std::string operand = operand_of(index, i);
+        if (is_sum && i == 1 && operand.starts_with('-')) {  // a - -b is a + b, and a + -b is a - b
+            operand.erase(0, 1);
+            char& sign = text[text.rfind(" {1}") - 1];
+            sign = sign == '+' ? '-' : '+';
+        }
         const Value& given = module_.at(value.operands[i]);
         if (given.op == ir::Op::constant)  // a count
             replace_all(text, "int(" + place + ")", fmt::format("{}", static_cast<int>(given.number[0])));

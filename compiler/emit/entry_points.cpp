@@ -62,14 +62,25 @@ const EntryPoint* find_entry_point(std::string_view name) {
     return nullptr;
 }
 
+// What is written as no less than the written cutoff is never dropped, as of a material without an opacity.
+static bool tests_alpha(const ir::Module& module) {
+    const ir::ValueId cutoff = module.output(ir::Output::cutoff),
+                      opacity = module.output(ir::Output::opacity);
+    if (!cutoff.valid()) return false;
+    const ir::Value &least = module.at(cutoff), &given = module.at(opacity);
+    const bool written = least.op == ir::Op::constant && given.op == ir::Op::constant;
+    return !written || given.number[0] < least.number[0];
+}
+
 std::vector<ir::Output> needed_outputs(const EntryPoint& entry, const ir::Module& module) {
     std::vector<ir::Output> out = entry.outputs;
     if (entry.lit) {
         const std::vector<ir::Output>& inputs = ir::all_lighting_models()[module.lighting].inputs;
         out.insert(out.end(), inputs.begin(), inputs.end());
     }
-    if (!entry.shows_opacity && !module.output(ir::Output::cutoff).valid())
-        std::erase(out, ir::Output::opacity);
+    if (tests_alpha(module)) return out;
+    std::erase(out, ir::Output::cutoff);
+    if (!entry.shows_opacity) std::erase(out, ir::Output::opacity);
     return out;
 }
 

@@ -162,7 +162,7 @@ std::string idle_arithmetic(std::string_view glsl) {
     static const std::regex kIdle[] = {
         std::regex("[ (]" + kZero + " [-+*] |[ (]" + kOne + " \\* | [-+*] " + kZero + "[ ,;)]| \\* " + kOne +
                    "[ ,;)]"),
-        std::regex("-0\\.0[ ,;)]|[ (]-1\\.0 \\* | \\* -1\\.0[ ,;)]"),
+        std::regex("-0\\.0[ ,;)]|[ (]-1\\.0 \\* | \\* -1\\.0[ ,;)]| [-+] -"),
         std::regex("[ (]mix\\((?:[^()]|\\([^()]*\\))*, [01]\\.0\\)"),
         std::regex("sg_(uv|volume)_scale\\(" + kArgument + ", " + kOne + "\\)"),
         std::regex("sg_frame_resolved\\(sg_stage_frame\\(\\w+, (" + kArgument + ")\\), \\1\\)"),

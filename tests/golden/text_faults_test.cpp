@@ -77,15 +77,30 @@ TEST(TextFaults, ALineThatIsTooLong) {
 TEST(TextFaults, ArithmeticThatDoesNothing) {
     for (const char* good :
          {"a + 10.0", "1.0 - a", "-a * b", "a * 0.5", "vec2(0.0, 1.0) + a", "f(0.0, a)", "a / 1.0",
-          "a - -1.0", "mix(vec3(1.0), a, 0.5)", "sg_uv_scale(a, vec2(2.0)), f(b, vec2(1.0))",
+          "a * -0.5", "a - (-b - c)", "mix(vec3(1.0), a, 0.5)", "sg_uv_scale(a, vec2(2.0)), f(b, vec2(1.0))",
           "vec3(0.0, -0.05, 1.0)", "sg_frame_resolved(sg_stage_frame(p, n), m)"})
         EXPECT_EQ(idle_arithmetic(in_main("    x = " + std::string(good) + ";\n")), "") << good;
-    for (const char* bad :
-         {"vec2(0.0) + a", "a + 0.0", "1.0 * a", "f(a * 1.0)", "a - vec3(0.0)", "0.0 * a", "(0.0 + a)",
-          "f(b, 1.0 * a)", "0.0 - a", "-1.0 * a", "a * -1.0 * b", "vec3(0.0, -0.0, 1.0)", "vec2(0.0, -0.0)",
-          "mix(vec3(1.0), a, 0.0)", "mix(f(a), b, 1.0)", "sg_uv_scale(sg_stage_uv(a), vec2(1.0))",
-          "sg_volume_scale(a, 1.0)", "sg_frame_resolved(sg_stage_frame(p, n), n)",
-          "sg_frame_resolved(sg_stage_frame(p, sg_base_normal(n)), sg_base_normal(n))"})
+    for (const char* bad : {"vec2(0.0) + a",
+                            "a + 0.0",
+                            "1.0 * a",
+                            "f(a * 1.0)",
+                            "a - vec3(0.0)",
+                            "0.0 * a",
+                            "(0.0 + a)",
+                            "f(b, 1.0 * a)",
+                            "0.0 - a",
+                            "-1.0 * a",
+                            "a * -1.0 * b",
+                            "a - -0.25",
+                            "a + -b",
+                            "vec3(0.0, -0.0, 1.0)",
+                            "vec2(0.0, -0.0)",
+                            "mix(vec3(1.0), a, 0.0)",
+                            "mix(f(a), b, 1.0)",
+                            "sg_uv_scale(sg_stage_uv(a), vec2(1.0))",
+                            "sg_volume_scale(a, 1.0)",
+                            "sg_frame_resolved(sg_stage_frame(p, n), n)",
+                            "sg_frame_resolved(sg_stage_frame(p, sg_base_normal(n)), sg_base_normal(n))"})
         EXPECT_NE(idle_arithmetic(in_main("    x = " + std::string(bad) + ";\n")), "") << bad;
 }
 

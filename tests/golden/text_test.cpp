@@ -97,6 +97,22 @@ TEST(Text, ColoursThatAreKnownAreFolded) {
         << text.main();
 }
 
+TEST(Text, AnAlphaTestThatDropsNothingIsNone) {
+    auto test_of = [](const char* surface) {
+        const std::string text = Text(entry(""), R"(, "surface": { )" + std::string(surface) + " }").main();
+        const std::size_t begin = text.find("if (");
+        return begin == text.npos ? "" : text.substr(begin, text.find(';', begin) - begin);
+    };
+    EXPECT_EQ(test_of(R"("alpha_test": 0.5)"), "");
+    EXPECT_EQ(test_of(R"("alpha_test": 1)"), "");
+    const std::string map = entry(R"({ "kind": "normal_map", "texture": "n" })");
+    EXPECT_EQ(Text(map, R"(, "surface": { "alpha_test": 1 })").main(), Text(map).main());
+    EXPECT_EQ(test_of(R"("alpha_test": 0.5, "opacity": 0.5)"), "");
+    EXPECT_EQ(test_of(R"("alpha_test": 0.5, "opacity": 0.25)"), "if (0.25 < 0.5) discard");
+    EXPECT_EQ(test_of(R"("alpha_test": 0.5, "opacity": { "texture": "m", "channel": "r" })"),
+              "if (m_opacity < 0.5) discard");
+}
+
 TEST(Text, AParallaxOfStrengthNothingIsNone) {
     const std::string color = R"(, "surface": { "base_color": { "texture": "c" } })";
     const std::string layers = R"("layers": [ { "id": "a", "kind": "normal_map", "texture": "n" } ] })";

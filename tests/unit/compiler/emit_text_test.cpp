@@ -64,6 +64,26 @@ TEST(EmitText, NegationsReadAsSuch) {
               "sg_volume_perlin(sg_stage_volume(sg_in_object_position)).gradient);\n");
 }
 
+TEST(EmitText, ASumTakesTheSignOfItsSecondOperand) {
+    auto sum = [](const std::string& rest) {
+        const std::string text = text_of(
+            "%0 = time : Scalar\n%1 = facing : Scalar\n%2 = constant -0.25 : Scalar\n"
+            "%3 = constant 0 : Scalar\n%4 = subtract %3 %1 : Scalar\n" +
+            rest + "%7 = multiply %6 %6 : Scalar 'x'\noutput metallic = %7\n");
+        const std::size_t begin = text.rfind(" = ") + 3;
+        return text.substr(begin, text.find(';', begin) - begin);
+    };
+    const std::string nothing = "%5 = constant 7 : Scalar\n";
+    EXPECT_EQ(sum(nothing + "%6 = subtract %0 %2 : Scalar\n"), "sg_stage_time() + 0.25");
+    EXPECT_EQ(sum(nothing + "%6 = add %0 %2 : Scalar\n"), "sg_stage_time() - 0.25");
+    EXPECT_EQ(sum(nothing + "%6 = add %2 %0 : Scalar\n"), "-0.25 + sg_stage_time()");
+    EXPECT_EQ(sum(nothing + "%6 = add %0 %4 : Scalar\n"), "sg_stage_time() - sg_stage_facing()");
+    EXPECT_EQ(sum("%5 = multiply %4 %0 : Scalar\n%6 = subtract %2 %5 : Scalar\n"),
+              "-0.25 + sg_stage_facing() * sg_stage_time()");
+    EXPECT_EQ(sum("%5 = subtract %4 %0 : Scalar\n%6 = subtract %2 %5 : Scalar\n"),
+              "-0.25 - (-sg_stage_facing() - sg_stage_time())");
+}
+
 TEST(EmitText, ANodeKeepsItsName) {
     EXPECT_EQ(text_of("%0 = time : Scalar\n%1 = add %0 %0 : Scalar \"two times\"\n"
                       "%2 = multiply %1 %0 : Scalar 'a hint'\noutput metallic = %2\n"),
