@@ -62,8 +62,10 @@ const EntryPoint* find_entry_point(std::string_view name) {
     return nullptr;
 }
 
+namespace {
+
 // What is written as no less than the written cutoff is never dropped, as of a material without an opacity.
-static bool tests_alpha(const ir::Module& module) {
+bool tests_alpha(const ir::Module& module) {
     const ir::ValueId cutoff = module.output(ir::Output::cutoff),
                       opacity = module.output(ir::Output::opacity);
     if (!cutoff.valid()) return false;
@@ -71,6 +73,8 @@ static bool tests_alpha(const ir::Module& module) {
     const bool written = least.op == ir::Op::constant && given.op == ir::Op::constant;
     return !written || given.number[0] < least.number[0];
 }
+
+}  // namespace
 
 std::vector<ir::Output> needed_outputs(const EntryPoint& entry, const ir::Module& module) {
     std::vector<ir::Output> out = entry.outputs;

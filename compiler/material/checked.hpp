@@ -95,8 +95,8 @@ inline constexpr std::size_t kMaxTextures = 64;
 inline constexpr std::size_t kMaxLayers = 256;
 inline constexpr std::size_t kMaxStages = 8;
 inline constexpr std::size_t kMaxArguments = 32;
-// Of the block, what is left by the derived parameters: at most 256 of at most 16 bytes each.
-inline constexpr std::uint32_t kMaxParameterBytes = kMaxBlockBytes - 256 * 16;
+// Of the block, what is left by the derived parameters, of at most 16 bytes each.
+inline constexpr std::uint32_t kMaxParameterBytes = kMaxBlockBytes - kMaxDerived * 16;
 inline constexpr std::size_t kMaxShaderBytes = 1u << 20u;  // of one file
 
 // Reports unknown names, wrong encodings and types, cycles, duplicate ids, files that are missing or out of

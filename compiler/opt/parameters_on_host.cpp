@@ -1,6 +1,7 @@
 // Expressions of parameters alone become derived parameters: the host computes them once.
 #include <algorithm>
 
+#include "base/limits.hpp"
 #include "ir/host.hpp"
 #include "opt/optimise.hpp"
 
@@ -10,9 +11,6 @@ namespace {
 using ir::Op;
 using ir::Value;
 using ir::ValueId;
-
-// A uniform block may be no larger than 16 KiB everywhere; the parameters need room, too.
-constexpr std::size_t kMaxDerived = 256;
 
 bool is_number_of_the_engine(const Value& value) {
     return value.op == Op::parameter || value.op == Op::derived;
@@ -48,7 +46,7 @@ Facts facts_of(const ir::Module& module) {
         for (ValueId operand : module.values[i].operands) needed[operand.index] = true;
     }
     // Those that find no room stay in the shader, with all that they stand on.
-    std::size_t room = kMaxDerived - std::min(kMaxDerived, module.derived.size());
+    std::size_t room = kMaxDerived - std::min<std::size_t>(kMaxDerived, module.derived.size());
     for (std::size_t i = 0; i < count; ++i) {
         if (out.root[i] && room == 0) out.root[i] = false;
         if (out.root[i]) --room;

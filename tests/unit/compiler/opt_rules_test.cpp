@@ -1,23 +1,10 @@
 // Each rule of the optimiser: text before and after.
-#include "opt/optimise.hpp"
-
-#include <gtest/gtest.h>
-
 #include <set>
 
-#include "ir/text.hpp"
+#include "tests/unit/compiler/opt_text.hpp"
 
 namespace sg::opt {
 namespace {
-
-std::string optimised(std::string_view text, std::string_view skipped = "") {
-    std::string fault;
-    auto module = ir::parse(text, fault);
-    if (!module) return fault;
-    EXPECT_EQ(ir::verify(*module), "");
-    std::string printed = ir::print(optimise(*module, skipped));
-    return printed.substr(printed.find('\n') + 1);  // without the module's line
-}
 
 // Text before and after; the rule that does it must be the one named: without it the text differs.
 struct RuleCase {
@@ -25,12 +12,6 @@ struct RuleCase {
     std::string_view before;
     std::string_view after;
 };
-
-const std::string kSurface =
-    "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n%2 = vertex_tangent : VertexTangent\n"
-    "%3 = basis_vertex %0 %2 : Basis\n%4 = uv_set 0 : Uv\n%5 = sample 0 %4 : Texel\n"
-    "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n";
-const std::string kTexture = "texture 0 \"t\" tangent_normal\n";
 
 const RuleCase kCases[] = {
     {"scale_by_one",

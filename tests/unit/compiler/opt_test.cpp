@@ -1,29 +1,11 @@
-#include "opt/optimise.hpp"
-
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "ir/text.hpp"
+#include "tests/unit/compiler/opt_text.hpp"
 
 namespace sg::opt {
 namespace {
-
-std::string optimised(std::string_view text) {
-    std::string fault;
-    auto module = ir::parse(text, fault);
-    if (!module) return fault;
-    EXPECT_EQ(ir::verify(*module), "");
-    std::string printed = ir::print(optimise(*module));
-    return printed.substr(printed.find('\n') + 1);  // without the module's line
-}
-
-const std::string kSurface =
-    "%0 = vertex_normal : VertexNormal\n%1 = base_normal %0 : Normal\n%2 = vertex_tangent : VertexTangent\n"
-    "%3 = basis_vertex %0 %2 : Basis\n%4 = uv_set 0 : Uv\n%5 = sample 0 %4 : Texel\n"
-    "%6 = decode_normal_xyz 127.5 %5 : TangentNormal\n%7 = deriv_from_normal_xyz %6 : Deriv\n";
-const std::string kTexture = "texture 0 \"t\" tangent_normal\n";
 
 // What has no room in the block stays in the shader, and a second run finds nothing more to do.
 TEST(Opt, TheBlockOfDerivedParametersIsBounded) {
@@ -31,8 +13,8 @@ TEST(Opt, TheBlockOfDerivedParametersIsBounded) {
         "parameter 0 \"p\" : Scalar\n%0 = parameter 0 : Scalar\n%1 = facing : Scalar\n%2 = add %0 %1 : "
         "Scalar\n";
     int last = 2;
-    for (int i = 0; i < 300;
-         ++i) {  // each product of p is the host's, each sum with the facing is the shader's
+    // Each product of p is the host's, each sum with the facing is the shader's.
+    for (int i = 0; i < 300; ++i) {
         text += fmt::format(
             "%{} = constant {} : Scalar\n%{} = multiply %0 %{} : Scalar\n%{} = add %{} %{} : Scalar\n",
             last + 1, i + 2, last + 2, last + 1, last + 3, last, last + 2);
