@@ -109,7 +109,7 @@ void print_rules(const std::vector<Worth>& worths) {
     for (std::size_t i = 0; i < worths.size(); ++i) {
         const Worth& worth = worths[i];
         const std::string most = worth.largest > 0    ? fmt::format("{} ({})", worth.largest, worth.where)
-                                 : worth.samples == 0 ? "nothing here: see its row in opt_test.cpp"
+                                 : worth.samples == 0 ? "nothing here: see its row in opt_rules_test.cpp"
                                                       : "none";
         fmt::print("{:<30} {:>8} {:>14} {:>20}  {}\n", opt::all_rules()[i].name, worth.samples, worth.spirv,
                    worth.gpu, most);
